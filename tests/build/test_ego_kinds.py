@@ -173,8 +173,8 @@ def test_a_bus_needs_longer_than_a_car_to_get_under_way_and_to_stop() -> None:
     ("ego", "why"),
     [
         (
-            {"kind": "bicycle", "speed": "60 km/h"},
-            r"ego\.speed: 60 km/h is more than a cyclist can do: at most 41 km/h",
+            {"kind": "bicycle", "speed": "80 km/h"},
+            r"ego\.speed: 80 km/h is more than a cyclist can do: at most 70 km/h",
         ),
         (
             {"kind": "tram", "does": [{"act": "brake", "acceleration": "6 m/s²"}]},
@@ -244,4 +244,4 @@ def test_the_page_of_the_world_says_what_engines_hold_and_what_a_car_may_begin_w
     assert all(abs(float(one) - own) <= 1.5 for one, own in zip(told, holds, strict=True))
     (most,) = re.findall(r"a car at up to (\d+) km/h", page)
     with pytest.raises(NotBuilt, match=rf"more than a car can do: at most {most} km/h"):
-        build(stops_ahead(speed="180 km/h"))
+        build(stops_ahead(speed="280 km/h"))

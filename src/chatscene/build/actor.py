@@ -18,7 +18,7 @@ from chatscene.build.heeding import heeds
 from chatscene.build.lateral import placed
 from chatscene.build.ledger import Ledger
 from chatscene.build.naming import name_of
-from chatscene.build.numbers import MOST, PACES, Numbers
+from chatscene.build.numbers import PACES, Numbers, stronger
 from chatscene.build.paces import AT_ONE_SPEED, check_held
 from chatscene.build.phases import Phases
 from chatscene.build.place import AT_CROSSWALKS, LANE, NEXT_LANE, Found, at_roundabout, lacks_at
@@ -83,8 +83,7 @@ class Actor:
     _texts: tuple[str, ...] | None = field(init=False, default=None)
 
     def __post_init__(self) -> None:
-        row = self.one.kind.row.body.row
-        self.numbers = Numbers(self.one.id, row)
+        self.numbers = Numbers(self.one.id, self.ledger.situation.row_of(self.one))
         self.deeds = self.one.does
         if bolts(self.one):
             self.deeds = (Deed(act=Act.CROSS),)
@@ -120,6 +119,8 @@ class Actor:
         elif self.one.kind.row.general:
             built = one_seen(self.one.kind.row.body.row.scenic)
             self.ledger.assume(f"{self.one.id} is built as {built}, since its exact kind is not stated")
+        if faster := stronger(self.one.id, self.one.kind, self.numbers.row):
+            self.ledger.assume(faster)
         if self.one.count == SEVERAL:
             self.ledger.assume(f"there are {SOME} of {self.one.id}, since their number is not stated")
 
@@ -142,7 +143,7 @@ class Actor:
     @property
     def ego_limits(self) -> Limits:
         """What the ego's body can do."""
-        return self.ledger.situation.ego.body.row.limits
+        return self.ledger.situation.ego.row.limits
 
     @property
     def said(self) -> tuple[Deed, ...]:
@@ -158,7 +159,8 @@ class Actor:
     @property
     def limits(self) -> Limits:
         """What its body can do."""
-        return LIMITS.get(self.one.kind.scenic) or PROPS[self.one.kind.scenic]
+        kind = self.one.kind
+        return (LIMITS.get(kind.scenic) or PROPS[kind.scenic]) if kind.row.prop else self.numbers.row.limits
 
     @property
     def walks(self) -> bool:
@@ -209,7 +211,7 @@ class Actor:
     def _bind_speed(self) -> None:
         """Let it come as fast as was said of how it begins, or of how it goes on."""
         numbers, deeds = self.numbers, self.deeds
-        ego, top = self.ego_speed, MOST * self.limits.top_speed
+        ego, top = self.ego_speed, self.limits.fastest
         beside = speed_beside(self.ledger.situation, self.one, ego)
         if beside is not None:
             low, high, *_ = numbers.ranges["FAST"]  # than the traffic is

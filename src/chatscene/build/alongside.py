@@ -14,7 +14,6 @@ from chatscene.build.coming import goes_over
 from chatscene.build.contact import misses
 from chatscene.build.deeds import GO, OWN
 from chatscene.build.flank import level_as_said, parts_at_flank
-from chatscene.build.numbers import MOST
 from chatscene.build.place import GOES_OVER, NEXT_LANE
 from chatscene.build.timing import Body
 from chatscene.errors import NotBuilt
@@ -78,7 +77,7 @@ def set_pace(actor: Actor) -> None:
     if level is not None:
         there, spare = there + 0.5 * sum(level), min(spare, 0.25 * (level[1] - level[0]))
     way = there - ahead
-    usual, top = numbers.range_of("SPEED")[1], MOST * actor.limits.top_speed
+    usual, top = numbers.range_of("SPEED")[1], actor.limits.fastest
     if way > usual * seconds and situation.ego.speed is None:
         actor.given, actor.needs = seconds, way / usual
     needed = min(Body(actor.limits, actor.walks).wish_for(way / seconds), top)
@@ -138,7 +137,7 @@ def until_it_comes(actor: Actor) -> Iterator[str]:
         low, high = level_as_said(actor.ledger.situation, actor.one, actor.limits.length) or (-0.6 * lengths, 0.0)
         actor.numbers.measure("CLOSE", -high, -low, "m", "how far behind the ego it comes up to it")
         ahead = "-$CLOSE"
-    top = min(_GAINS * actor.ego_speed, MOST * actor.limits.top_speed)
+    top = min(_GAINS * actor.ego_speed, actor.limits.fastest)
     yield f"PaceOnPath({{p}}, ego, {ahead}, {top:.4g}, {_LEAST:g}) until {comes}"
     if all(deed.time is None for deed in actor.deeds):
         actor.numbers.narrow("GO_TIME", *_AT_ONCE)

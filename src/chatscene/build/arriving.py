@@ -10,7 +10,7 @@ from chatscene.build.asked import Asked, Meets, Stand, passes_with
 from chatscene.build.chain import in_terms_of
 from chatscene.build.coming import Coming
 from chatscene.build.deeds import GO
-from chatscene.build.numbers import MOST, Numbers
+from chatscene.build.numbers import Numbers
 from chatscene.build.place import AT_JUNCTION, Found, arm_of, at_roundabout, from_left, ring_arms, room_against, way_of
 from chatscene.build.timing import Body, Course, Meeting, course
 from chatscene.errors import NotBuilt
@@ -45,7 +45,7 @@ def through(asked: Asked) -> Stand:
     assert found is not None  # or the place would not have been found
     way = f'wayOf(trafficFrom(egoRoute, "{arm}"), "{turn}"{_lane(asked.situation, asked.one, text=True)})'
     if _lane(asked.situation, asked.one) and not asked.numbers.is_said("SPEED"):
-        fast = MOST * asked.numbers.row.limits.top_speed
+        fast = asked.numbers.row.limits.fastest
         asked.numbers.narrow("SPEED", *(min(share * asked.ego.speed, fast) for share in FAR_OFF))
     if not _meets(asked.found, arm, turn):
         way = "opposite(egoRoute)"
@@ -149,7 +149,7 @@ def way_back(one: Other, numbers: Numbers, ego: Coming, found: CrossingPath, doe
         found: Its way.
         does: The phases in which it comes.
     """
-    body = Body(one.kind.row.body.row.limits, walks=False)
+    body = Body(one.row.limits, walks=False)
     seconds = ego.time_at(found.ego_meets_at) + ego.late_at(found.ego_meets_at)
     caps = curve_speeds(found.line)
 

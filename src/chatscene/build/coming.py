@@ -6,7 +6,6 @@ import math
 from bisect import bisect_right
 from dataclasses import dataclass, replace
 
-from chatscene.build.numbers import MOST
 from chatscene.build.relations import speed_kept_up, speed_of_traffic
 from chatscene.build.usual import speed_of_road
 from chatscene.terms.backing import backs
@@ -93,7 +92,7 @@ def wanted_by(situation: Situation) -> float:
         return min(
             max(usual_speed(body, speed_of_road(situation)), speed_of_traffic(situation)),
             speed_kept_up(situation),
-            MOST * body.row.limits.top_speed,
+            body.row.limits.fastest,
         )
     return said.most
 

@@ -11,7 +11,7 @@ from chatscene.build.asked import FROM_A_STAND
 from chatscene.build.awaiting import awaited, waiting
 from chatscene.build.coming import Coming, coming, keeps_limits, wanted_by
 from chatscene.build.ledger import Ledger
-from chatscene.build.numbers import FIRM, MOST
+from chatscene.build.numbers import FIRM, strong, stronger
 from chatscene.build.own import FIRST, KEEPS, LATER, Drives, fastest, is_own, own_orders
 from chatscene.build.own_speeds import at_own_speeds
 from chatscene.build.place import GOES_OVER, NEXT_LANE, Found, at_junction, changed_at, merged_at
@@ -99,13 +99,15 @@ def ego_of(ledger: Ledger, found: Found, at_most: float = NOMINAL.speed) -> Buil
     situation = ledger.situation
     ego, junction = situation.ego, at_junction(situation)
     speed = wanted_by(situation) if ego.speed is not None else at_most
-    body = ego.body.row.limits
+    body = ego.row.limits
     if ego.speed is not None:
-        if ego.speed.low > (most := MOST * body.top_speed):
+        if ego.speed.low > (most := body.fastest):
             what = one_of(ego.kind or UserKind.CAR)
             holds = math.floor(3.6 * most + 1e-9)
             raise NotBuilt(f"ego.speed: {ego.speed} is more than {what} can do: at most {holds} km/h")
         ledger.take("ego.speed")
+    if told := stronger("the ego", ego.kind or UserKind.CAR, ego.row):
+        ledger.assume(told)
     ledger.take("ego.kind")
     keeps = keeps_limits(situation)
     beside = Ledger(at_own_speeds(situation, speed))
@@ -141,7 +143,9 @@ def ego_of(ledger: Ledger, found: Found, at_most: float = NOMINAL.speed) -> Buil
     later, gain = fastest(ego.does, speed), gain_in(body)
     comes = coming(speed, orders, found.route, metres, stands=stands, keeps_limits=keeps, gain=gain, later=later)
     query = {"to_line": round(metres, 2)} if at_line and longer else {}
-    return BuiltEgo(params=tuple(params), query=query, coming=comes, properties=moving + wanted, orders=orders)
+    return BuiltEgo(
+        params=tuple(params), query=query, coming=comes, properties=moving + strong(ego.row) + wanted, orders=orders
+    )
 
 
 def _over_in_time(ledger: Ledger, route: Route) -> None:

@@ -8,16 +8,15 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 
 from chatscene.errors import NotBuilt
-from chatscene.situations.phrases import one_seen
-from chatscene.terms.actors import REVERSE_SPEED, RoadUser
+from chatscene.situations.phrases import one_of, one_seen
+from chatscene.terms.actors import NEARLY, REVERSE_SPEED, RoadUser
 from chatscene.terms.amount import Amount
 from chatscene.terms.snippet import ParameterRange
-from chatscene.terms.vocabulary import Manner
+from chatscene.terms.vocabulary import Manner, UserKind
 
 _NAME = re.compile(r"\$([A-Z][A-Z0-9_]*)")
 _OF_DEED = re.compile(r"_\d+$")
 GENTLEST = 0.02  # of the brakes, the least that is pressed
-MOST = 0.95  # of a body's top speed, which nobody quite reaches
 
 RANGES: dict[str, tuple[float, float, str, str]] = {
     "OFFSET": (-1.5, 1.0, "s", "how much sooner than the ego it reaches the point where their paths meet"),
@@ -59,6 +58,19 @@ PACES: dict[Manner | None, str] = {Manner.SLOW: "SLOW", Manner.FAST: "FAST"}
 """The ranges of the speed of somebody who is said to go slowly or fast."""
 
 
+def strong(row: RoadUser) -> str:
+    """What a program says of one that holds a higher speed than others of its kind."""
+    return f", with topSpeed {row.limits.top_speed:.4g}" if row.limits.most else ""
+
+
+def stronger(who: str, kind: UserKind, row: RoadUser) -> str:
+    """What is told of one that is, with what a common one holds; empty of any other."""
+    if not row.limits.most:
+        return ""
+    usual = kind.row.body.row.limits.holds
+    return f"{who} is {one_of(kind)} that is faster than most, which hold {3.6 * usual:.0f} km/h"
+
+
 @dataclass(slots=True)
 class Numbers:
     """The parameters of one road user.
@@ -81,7 +93,7 @@ class Numbers:
 
     def __post_init__(self) -> None:
         # A watcher calls it slow below one speed and fast from another on: what is neither lies between.
-        top = MOST * self.row.limits.top_speed
+        top = self.row.limits.fastest
         slow, fast = self.row.slow, min(self.row.fast, top)
         meaning = "how fast it goes"
         self.ranges["SPEED"] = (0.55 * fast, 0.82 * fast, "m/s", meaning)
@@ -104,10 +116,10 @@ class Numbers:
         scale = share(self.row) if share else 1.0
         drag = self.row.limits.drag if name.startswith("BRAKE") and share else 0.0  # which slows it down as well
         least, most = ((end - drag) / scale for end in amount.drawn(low * scale + drag, high * scale + drag))
-        fastest = (
-            min(REVERSE_SPEED, self.row.limits.top_speed) if name.startswith("BACK") else self.row.limits.top_speed
-        )
-        top = 1.0 if share else MOST * fastest if unit == "m/s" else most
+        fastest = self.row.limits.fastest
+        if name.startswith("BACK"):
+            fastest = min(NEARLY * REVERSE_SPEED, fastest)
+        top = 1.0 if share else fastest if unit == "m/s" else most
         least, most = (max(GENTLEST, least), max(GENTLEST, most)) if drag else (least, most)
         if least > top + 1e-9:
             most_told = f"at most {top * scale:.3g} {unit if unit != '1' else 'm/s²'}"
@@ -125,7 +137,7 @@ class Numbers:
     def narrow(self, name: str, low: float, high: float) -> None:
         """Give a parameter another range, where no number was said of it; no speed is more than it can."""
         _, _, unit, meaning = self.range_of(name)
-        most = MOST * self.row.limits.top_speed if unit == "m/s" else high
+        most = self.row.limits.fastest if unit == "m/s" else high
         self.ranges[name] = (min(low, most), min(high, most), unit, meaning)
 
     def move(self, name: str, by: float) -> None:

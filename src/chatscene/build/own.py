@@ -330,7 +330,7 @@ def _begins(ledger: Ledger, deeds: Sequence[Deed], first: int, drives: Drives, s
     whom = next((one for one in others if one.id == who), None) if who else next(iter(_in_the_way(others)), None)
     if whom is None or (deeds[0].act is Act.ACCELERATE and when.ego_within is None and not named):
         level = (one for one in situation.others if one.starts.where is Where.BESIDE)  # who cannot be so for long
-        soon = deeds[0].act is Act.ACCELERATE or any(falls_behind(one, speed) > SAME for one in level)
+        soon = deeds[0].act is Act.ACCELERATE or any(falls_behind(situation, one, speed) > SAME for one in level)
         return Near(since=max(drives.since, slows) or (0.0 if soon else FIRST))
     ledger.take(*(f"{at}.{name}" for name in ("after", "during", "of", "ego_within") if getattr(when, name)))
     middles = 0.5 * (situation.ego.body.row.limits.length + whom.kind.row.body.row.limits.length)

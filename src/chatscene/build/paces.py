@@ -13,7 +13,7 @@ from enum import StrEnum
 from typing import TYPE_CHECKING
 
 from chatscene.build.asked import Meets, goes_slowly, stands_first
-from chatscene.build.numbers import MOST, PACES, Numbers
+from chatscene.build.numbers import PACES, Numbers
 from chatscene.build.relations import BEHIND, GAINS, GAINS_AGAINST, PASSES, speed_of
 from chatscene.build.timing import Body
 from chatscene.build.towards import done_to
@@ -113,7 +113,7 @@ class Paces:
                 self._now = self._used = self._new(name, *said, said=True)
             case Pace.GAINS | Pace.LOSES:
                 gains = pace is Pace.GAINS
-                top = MOST * self._numbers.row.limits.top_speed
+                top = self._numbers.row.limits.fastest
                 then = self._new(name, *(said or (CREEPS, top)), said=said is not None)
                 self._changes.append(Change(deed=k, before=self._now, after=then, gains=gains))
                 self._now = then
@@ -170,8 +170,8 @@ class Paces:
             most = min(most, self._body.holds_pressed(self._numbers.range_of("THROTTLE")[0]))
         if one.gains and most < was + least and was > CREEPS:
             raise NotBuilt(f"{name} {_told(was, most)}; say {_kmh(was + least)} at least")
-        if before.low > MOST * self._numbers.row.limits.top_speed:
-            kind, most = one_seen(self._numbers.row.scenic), MOST * self._numbers.row.limits.top_speed
+        if before.low > self._numbers.row.limits.fastest:
+            kind, most = one_seen(self._numbers.row.scenic), self._numbers.row.limits.fastest
             raise NotBuilt(f"{name} to {_kmh(after.low)} is not visible for {kind}, which drives at most {_kmh(most)}")
         least = loss_of(before.high)
         if not one.gains and after.low > before.high - least:
@@ -307,7 +307,7 @@ def set_passing_speed(actor: Actor, k: int) -> None:
     deed, speed_name, numbers = actor.deeds[k], f"FAST_{k}", actor.numbers
     whom = done_to(deed)
     passed = speed_of(actor.ledger.situation, whom, actor.ego_speed)
-    least, most = passed + PASSES, MOST * actor.limits.top_speed
+    least, most = passed + PASSES, actor.limits.fastest
     if not actor.one.kind.row.body.row.motorised:
         most = min(most, Body(actor.limits, actor.walks).fastest)
     can = most

@@ -81,9 +81,9 @@ def goes_with(one: Other) -> bool:
     return keeps and one.starts.where in ALONG and one.kind.moves is not Moves.WALKS
 
 
-def _holds(one: Other) -> float:
+def _holds(situation: Situation, one: Other) -> float:
     """The most [m/s] that somebody who drives holds."""
-    return Body(one.kind.row.body.row.limits, walks=False).fastest
+    return Body(situation.row_of(one).limits, walks=False).fastest
 
 
 def _said_behind(one: Other) -> float:
@@ -100,7 +100,7 @@ def _than_ego(one: Other) -> bool:
 
 def speed_kept_up(situation: Situation) -> float:
     """The most [m/s] at which all go who are to keep to the ego, or come along behind it: as they hold, or as said."""
-    held = (_holds(one) for one in situation.others if goes_with(one))
+    held = (_holds(situation, one) for one in situation.others if goes_with(one))
     return min((*held, *map(_said_behind, situation.others)), default=math.inf)
 
 
@@ -202,9 +202,9 @@ def speed_of(situation: Situation, name: str, ego: float) -> float:
     return beside[1] if beside is not None else ego
 
 
-def falls_behind(one: Other, ego: float) -> float:
+def falls_behind(situation: Situation, one: Other, ego: float) -> float:
     """By how much [m/s] the ego is faster than somebody can be who goes along on wheels with a motor."""
-    row = one.kind.row.body.row
+    row = situation.row_of(one)
     if not row.motorised:
         return 0.0
     most = Body(row.limits, walks=False).fastest
@@ -225,7 +225,7 @@ def check_kept_up(situation: Situation, ego: float) -> None:
                 f"others.{one.id}: at {3.6 * most:.0f} km/h an ego at {3.6 * ego:.0f} km/h leaves it behind; say an"
                 f" ego at {3.6 * most:.0f} km/h at most, or a faster {one.kind}"
             )
-        if goes_with(one) and (most := _holds(one)) < HELD * ego:
+        if goes_with(one) and (most := _holds(situation, one)) < HELD * ego:
             k = next(k for k, deed in enumerate(one.does) if deed.act in _WITH)
             raise NotBuilt(
                 f"others.{one.id}.does.{k}.act: {one.does[k].act}: {one_of(one.kind)} drives at most {3.6 * most:.0f} "

@@ -113,7 +113,7 @@ def _over_the_road(one: Other) -> Other:
     first = one.does[0] if one.does else None
     if first is None or first.act is not Act.CROSS or first.speed is None or one.starts.speed is not None:
         return one
-    if first.speed.than_ego or first.speed.low > one.kind.row.body.row.limits.top_speed:
+    if first.speed.than_ego or first.speed.low > one.row.limits.fastest:
         return one  # which is refused as it was said
     return replace(one, starts=replace(one.starts, speed=first.speed))
 

@@ -304,7 +304,7 @@ def _beside(asked: Asked) -> tuple[float, float]:
         return level
     contact = asked.situation.contact
     if contact is None or contact.striker is None or not touches(asked.situation, asked.one):
-        ahead = min(falls_behind(asked.one, asked.ego.speed) * LEVEL_FOR, LEVEL - 4.5)
+        ahead = min(falls_behind(asked.situation, asked.one, asked.ego.speed) * LEVEL_FOR, LEVEL - 4.5)
         return -2.0 + ahead, 4.5 + ahead
     low, high = BESIDE_TO_STRIKE[contact.striker]
     longer = asked.longer if contact.striker is Striker.EGO else 0.0

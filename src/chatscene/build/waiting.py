@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from chatscene.build.asked import goes_slowly, stands_first
 from chatscene.build.deeds import OWN
 from chatscene.build.naming import name_of
-from chatscene.build.numbers import MOST, RANGES, Numbers
+from chatscene.build.numbers import RANGES, Numbers
 from chatscene.build.over_lanes import lane_after
 from chatscene.build.own import ASIDE
 from chatscene.build.place import NEXT_LANE
@@ -389,7 +389,7 @@ def _sign_of(situation: Situation, one: Other, n: int) -> Sign | None:
 
 def _usual(actor: Actor, one: Other) -> float:
     """About how fast [m/s] somebody is before it gains or loses speed."""
-    body = one.kind.row.body.row
+    body = actor.ledger.situation.row_of(one)
     numbers = Numbers(one.id, body)
     if (said := said_speed(one, actor.ego_speed)) is not None and said > 0.0:
         return said
@@ -399,4 +399,4 @@ def _usual(actor: Actor, one: Other) -> float:
         return numbers.middle("SPEED")
     passed = relation_of(actor.ledger.situation, one) is Relation.PASSED
     share = 0.5 * sum(Relation.PASSED.value) if passed else 1.0
-    return min(share * actor.ego_speed, MOST * body.limits.top_speed)
+    return min(share * actor.ego_speed, body.limits.fastest)

@@ -11,6 +11,7 @@ from chatscene.build.asked import Meets, between, is_still
 from chatscene.build.deeds import OWN
 from chatscene.build.hiding import place_hiding
 from chatscene.build.naming import name_of
+from chatscene.build.numbers import strong
 from chatscene.build.over_lanes import is_lane, lane_line, side_beside
 from chatscene.build.parts import parts_of
 from chatscene.build.place import LANE
@@ -65,7 +66,7 @@ class Written:
             said = f"{one if n == 0 else f'{one}_{n}'} = new {cls} at {place}, facing {facing}"
             said += f", with label '{self.actor.one.id}'" + self.actor.role()
             does = f"Does{one}" if rows[n] == phases else f"Does{one}_{n}"
-            said += self.actor.moving(phases, screened=screen is not None)
+            said += self.actor.moving(phases, screened=screen is not None) + strong(self.actor.numbers.row)
             lines.append(said + (f", with behavior {does}()" if phases else ""))
         lines += parts_of(self.actor, self._away, self._apart)
         if is_still(self.actor.one):

@@ -16,7 +16,7 @@ from typing import Any
 from chatscene.ego.observation import Observation
 from chatscene.ego.policy import EgoPolicy, name_of, two_numbers
 from chatscene.errors import ChatSceneError, EgoError, StuckBehavior
-from chatscene.terms.actors import Limits
+from chatscene.terms.actors import LIMITS, Limits
 from chatscene.terms.pointing import SourcePlace, place_in, pointed, told
 from chatscene.terms.scene import CAR, ScenicProgram
 
@@ -101,7 +101,7 @@ def fitted(ego: EgoPolicy, program: ScenicProgram) -> EgoPolicy:
         EgoError: Its `wanting` or its `driving` fails, or gives no ego.
     """
     ego = wanting(ego, program.wanted_speed)
-    return ego if program.ego_kind == CAR else driving(ego, program.ego_limits)
+    return ego if program.ego_limits == LIMITS[CAR] else driving(ego, program.ego_limits)
 
 
 def driving(ego: EgoPolicy, body: Limits) -> EgoPolicy:

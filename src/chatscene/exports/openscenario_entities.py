@@ -40,7 +40,7 @@ def entity(track: Track) -> Xml.Element:
         return element("Pedestrian", named, box, properties)
     limits = kind.row.limits
     performance = {
-        "maxSpeed": limits.top_speed,
+        "maxSpeed": max(limits.top_speed, float(track.speed.max())),
         "maxAcceleration": limits.throttle,
         "maxDeceleration": limits.brake,
     }

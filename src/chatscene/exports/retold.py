@@ -28,10 +28,10 @@ from chatscene.maps.network import load_network
 from chatscene.program.without import placings
 from chatscene.simulate.native.code import Compiler, NotCovered, Surrounding
 from chatscene.simulate.staging import Stage
-from chatscene.terms.actors import BY_CLASS, LIMITS, Manner
+from chatscene.terms.actors import BY_CLASS, Manner
 from chatscene.terms.episode import Role, Track
 from chatscene.terms.mirroring import mirrored_drive
-from chatscene.terms.pace import Pace
+from chatscene.terms.pace import Pace, limits_in
 from chatscene.terms.plan import Expression, Parameter, Plan, expressions_of, walk
 from chatscene.terms.plan_text import BEHAVIOR, parse_plan
 from chatscene.terms.polyline import Polyline
@@ -299,7 +299,7 @@ class _Retelling:
         if kind is None:  # as a door, which is a thing and moves
             raise Unsayable("it is not a road user")
         return Site(
-            limits=LIMITS[track.kind],
+            limits=limits_in(self._objects[index]),
             grip=self._scene.episode.surroundings.surface.row.friction * 9.81,
             walks=kind.row.manner is Manner.WALKS,
             prefix=_plain(track.actor),

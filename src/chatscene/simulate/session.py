@@ -21,12 +21,12 @@ from chatscene.simulate.recorded import states_of, tracks_of
 from chatscene.simulate.roadside import RouteSurroundings
 from chatscene.simulate.set_up import awaited_by, check_wanted, names_of, orders_of, overlap, view_of
 from chatscene.simulate.simulation import SteppedSimulation
-from chatscene.terms.actors import LIMITS, has_lamps, height_of_kind, kind_of
+from chatscene.terms.actors import has_lamps, height_of_kind, kind_of
 from chatscene.terms.backing import turned_about
 from chatscene.terms.episode import Ending, Episode, Event, EventKind, Role, Stepped
 from chatscene.terms.mirroring import mirrored_drive
 from chatscene.terms.nouns import with_article
-from chatscene.terms.pace import NOMINAL
+from chatscene.terms.pace import NOMINAL, limits_in
 from chatscene.terms.pointing import fault
 from chatscene.terms.route import Route
 from chatscene.terms.scene import AS_WRITTEN, ScenicProgram
@@ -99,7 +99,7 @@ class SteppedSession:
         self._obedience = Obedience(self.orders)
         self.awaited = awaited_by(self.orders, objects, bodies, label)
         check_wanted(objects[0], program, label)
-        self.limits = LIMITS.get(kind_of(objects[0]), LIMITS["Car"])
+        self.limits = limits_in(objects[0])
         self.simulation = simulation
         self.route = route
         self.around = around

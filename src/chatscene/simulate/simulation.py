@@ -221,6 +221,7 @@ class PhysicsSimulation(DrivingSimulation):
                 width=original["width"],
                 wheelbase=original.get("wheelbase", 0.0),
                 wheel_angle=original.get("wheelAngle", 0.0),
+                top_speed=original.get("topSpeed", 0.0),
                 blueprint=original.get("blueprint") or "",
                 grip=self.surroundings.grip,
                 backs=backs,

@@ -18,12 +18,15 @@ import re
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from enum import StrEnum
+from functools import lru_cache
 from typing import Any
 from weakref import WeakKeyDictionary
 
 from chatscene.terms.nouns import with_article
 
 THING_HEIGHT = 2.0  # [m], at the roadside
+NEARLY = 0.95  # of a top speed: what somebody may be at
+EASILY = 1.05  # times the drag at a speed is what the engine of one gives that is built for it
 AIR_DRAG = 0.0008  # [1/m] on top of `Limits.drag`: with both, a car coasts from 15 to 10 m/s in about 15 s
 
 
@@ -56,6 +59,7 @@ class Limits:
         yaw_lag: Time constant of the yaw rate [s] at 20 m/s; proportional to the speed.
         characteristic_speed: Speed [m/s] at which the same wheel angle gives half the curvature that it gives at
             walking pace; infinite where it does not depend on the speed.
+        most: Of one that is stronger than others of its kind, the speed [m/s] that it is driven at at most; else 0.
     """
 
     length: float
@@ -72,6 +76,21 @@ class Limits:
     brake_lag: float = 0.3
     yaw_lag: float = 0.1
     characteristic_speed: float = 22.0
+    most: float = 0.0
+
+    @property
+    def fastest(self) -> float:
+        """The speed [m/s] that anybody may be at: nearly the top speed, which nobody quite reaches."""
+        return self.most or NEARLY * self.top_speed
+
+    @property
+    def holds(self) -> float:
+        """The speed [m/s] at which drag takes all that the engine gives; of who walks nearly the top speed."""
+        if not self.wheelbase:
+            return self.fastest
+        fade = self.throttle / self.top_speed
+        root = math.sqrt(fade * fade + 4.0 * AIR_DRAG * (self.throttle - self.drag))
+        return (root - fade) / (2.0 * AIR_DRAG)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -100,6 +119,7 @@ class RoadUser:
         driven: Speed [m/s] at which it is driven at most, however fast the road is: lorries and buses outside towns by
             StVO § 3 (3) 2 and § 18 (5), and in most of Europe; a tram among others on the road keeps to what holds for
             them; tractors are built for 40 km/h at most (Regulation (EU) 167/2013, class T1).
+        most: Speed [m/s] that a strong one of the kind is driven at, if a common one does not hold as much; else 0.
     """
 
     scenic: str
@@ -120,6 +140,7 @@ class RoadUser:
     slow: float = 4.0
     fast: float = 11.0
     driven: float = math.inf
+    most: float = 0.0
 
     def __post_init__(self) -> None:
         """Hold a row to what every format asks of who moves so.
@@ -136,10 +157,23 @@ class RoadUser:
         if self.wheel and not rolls:
             raise ValueError(f"{row} has no wheel: no format asks for one")
 
+    def at(self, speed: float) -> RoadUser:
+        """The row of one that is driven at a speed [m/s]: a stronger one, if a common one does not hold it."""
+        return self if speed <= self.limits.holds or not self.most else _stronger(self, min(speed, self.most))
+
     @property
     def noun(self) -> str:
         """What one is called, without an article."""
         return self.nouns.replace("\n", "|").strip(" |").partition("|")[0].strip()
+
+
+@lru_cache(maxsize=64)
+def _stronger(row: RoadUser, speed: float) -> RoadUser:
+    """The row of one whose throttle fades so slowly that it holds a speed [m/s] with some of it left."""
+    limits = row.limits
+    drag = EASILY * (limits.drag + AIR_DRAG * speed * speed) if limits.wheelbase else (1.0 - NEARLY) * limits.throttle
+    top = float(f"{speed / (1.0 - drag / limits.throttle):.4g}")
+    return replace(row, limits=replace(limits, top_speed=top, most=row.most))
 
 
 def fading(holds: float, throttle: float, drag: float = 0.2) -> float:
@@ -180,6 +214,7 @@ class AdversaryKind(StrEnum):
         "car",
         RoadUser(
             scenic="Car",
+            most=250 / 3.6,
             blueprint="vehicle.lincoln.mkz_2017",
             mass=1700.0,
             limits=Limits(
@@ -209,6 +244,7 @@ class AdversaryKind(StrEnum):
         "truck",
         RoadUser(
             scenic="Truck",
+            most=120 / 3.6,
             driven=80 / 3.6,
             blueprint="vehicle.carlamotors.carlacola",
             mass=8000.0,
@@ -243,6 +279,7 @@ class AdversaryKind(StrEnum):
         "bus",
         RoadUser(
             scenic="Bus",
+            most=130 / 3.6,
             driven=80 / 3.6,
             blueprint="vehicle.mitsubishi.fusorosa",
             mass=6500.0,
@@ -276,6 +313,7 @@ class AdversaryKind(StrEnum):
         "motorcycle",
         RoadUser(
             scenic="Motorcycle",
+            most=250 / 3.6,
             blueprint="vehicle.yamaha.yzf",
             mass=300.0,
             limits=Limits(
@@ -308,6 +346,7 @@ class AdversaryKind(StrEnum):
         "bicycle",
         RoadUser(
             scenic="Bicycle",
+            most=70 / 3.6,
             blueprint="vehicle.bh.crossbike",
             mass=90.0,
             limits=Limits(
@@ -363,6 +402,7 @@ class AdversaryKind(StrEnum):
         "emergency-vehicle",
         RoadUser(
             scenic="EmergencyVehicle",
+            most=180 / 3.6,
             blueprint="vehicle.ford.ambulance",
             mass=3500.0,
             limits=Limits(
@@ -399,6 +439,7 @@ class AdversaryKind(StrEnum):
         "e-scooter",
         RoadUser(
             scenic="EScooter",
+            most=45 / 3.6,
             like="bicycle",
             blueprint="vehicle.bh.crossbike",
             mass=95.0,
@@ -434,6 +475,7 @@ class AdversaryKind(StrEnum):
         "wheelchair",
         RoadUser(
             scenic="Wheelchair",
+            most=15 / 3.6,
             like="pedestrian",
             blueprint="walker.pedestrian.0001",
             mass=140.0,
@@ -498,6 +540,7 @@ class AdversaryKind(StrEnum):
         "van",
         RoadUser(
             scenic="Van",
+            most=180 / 3.6,
             like="car",
             told_apart=False,
             blueprint="vehicle.mercedes.sprinter",
@@ -547,6 +590,7 @@ class AdversaryKind(StrEnum):
         "tractor",
         RoadUser(
             scenic="Tractor",
+            most=65 / 3.6,
             driven=30 / 3.6,
             like="truck",
             told_apart=False,
@@ -580,6 +624,7 @@ class AdversaryKind(StrEnum):
         "tram",
         RoadUser(
             scenic="Tram",
+            most=80 / 3.6,
             driven=50 / 3.6,
             like="bus",
             told_apart=False,
@@ -619,6 +664,7 @@ class AdversaryKind(StrEnum):
         "pickup",
         {"length": 5.9, "width": 2.03, "wheelbase": 3.69, "throttle": 4.0, "brake": 7.5, "lateral": 6.0},
         scenic="Pickup",
+        most=200 / 3.6,
         blueprint="vehicle.tesla.cybertruck",
         mass=2400.0,
         height=1.96,
@@ -631,6 +677,7 @@ class AdversaryKind(StrEnum):
         "minibus",
         {"length": 6.7, "width": 2.06, "wheelbase": 3.75, "throttle": 2.8, "brake": 7.0, "lateral": 5.0},
         scenic="Minibus",
+        most=160 / 3.6,
         blueprint="vehicle.volkswagen.t2",
         mass=3900.0,
         height=2.78,
@@ -642,6 +689,7 @@ class AdversaryKind(StrEnum):
         {"length": 2.64, "width": 1.3, "wheelbase": 2.0, "wheel_angle": 0.8, "throttle": 1.8, "brake": 5.0}
         | {"top_speed": fading(65 / 3.6, 1.8), "lateral": 4.0},
         scenic="AutoRickshaw",
+        most=80 / 3.6,
         driven=50 / 3.6,
         blueprint="vehicle.micro.microlino",
         mass=600.0,
@@ -656,6 +704,7 @@ class AdversaryKind(StrEnum):
         {"length": 2.1, "width": 1.2, "wheelbase": 1.3, "throttle": 4.0, "brake": 6.0, "lateral": 4.5}
         | {"top_speed": fading(90 / 3.6, 4.0)},
         scenic="Quad",
+        most=120 / 3.6,
         mass=430.0,
         height=1.7,
         nouns="quad bike | quad | ATV | four-wheeler | all-terrain vehicle",
@@ -666,6 +715,7 @@ class AdversaryKind(StrEnum):
         {"length": 2.6, "width": 0.85, "wheelbase": 1.8, "throttle": 1.2, "brake": 4.0, "top_speed": 10.0}
         | {"lateral": 3.0},
         scenic="CargoBike",
+        most=50 / 3.6,
         mass=200.0,
         nouns="cargo bike | cargo bicycle | cycle rickshaw | pedicab | delivery trike | box bike",
         fast=5.5,
@@ -688,6 +738,7 @@ class AdversaryKind(StrEnum):
         {"length": 8.6, "wheelbase": 4.4, "top_speed": fading(100 / 3.6, 2.2)},
         like="emergency-vehicle",
         scenic="FireEngine",
+        most=130 / 3.6,
         driven=math.inf,
         blueprint="vehicle.carlamotors.firetruck",
         mass=14000.0,
@@ -701,6 +752,7 @@ class AdversaryKind(StrEnum):
         "harvester",
         {"length": 8.9, "width": 3.5, "wheelbase": 3.9, "throttle": 1.0, "top_speed": fading(30 / 3.6, 1.0)},
         scenic="Harvester",
+        most=40 / 3.6,
         driven=25 / 3.6,
         mass=17000.0,
         height=4.0,
@@ -712,6 +764,7 @@ class AdversaryKind(StrEnum):
         "cart",
         {"length": 5.5, "width": 1.9, "wheelbase": 2.6, "throttle": 0.8, "brake": 2.0, "top_speed": 6.0},
         scenic="Cart",
+        most=30 / 3.6,
         driven=10 / 3.6,
         mass=1200.0,
         height=2.0,

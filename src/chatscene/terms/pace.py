@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from chatscene.terms.actors import LIMITS, AdversaryKind, Limits, kind_of
 
@@ -27,13 +27,20 @@ class Pace:
     @classmethod
     def of(cls, ego: object) -> Pace:
         """Of an ego in a program: the speed that the program wants of it, else the nominal one."""
-        wanted, gain = getattr(ego, "wantedSpeed", None), gain_in(LIMITS.get(kind_of(ego), _CAR))
+        wanted, gain = getattr(ego, "wantedSpeed", None), gain_in(limits_in(ego))
         return cls(speed=NOMINAL.speed if wanted is None else float(wanted), gain=gain)
 
 
 NOMINAL = Pace(speed=7.8, gain=2.3)
 """Of `idm` on an empty road of the packaged town: 41.5 m in the first 7 s, from standstill."""
 _CAR = AdversaryKind.CAR.row.limits
+
+
+def limits_in(ego: object) -> Limits:
+    """What the body of an ego in a program can do."""
+    limits = LIMITS.get(kind_of(ego), _CAR)
+    top = getattr(ego, "topSpeed", limits.top_speed)
+    return limits if top == limits.top_speed else replace(limits, top_speed=float(top))
 
 
 def gain_in(body: Limits) -> float:

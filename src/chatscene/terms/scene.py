@@ -14,6 +14,7 @@ from chatscene.terms.actors import LIMITS, AdversaryKind, Limits
 from chatscene.terms.snippet import ParameterRange
 
 _WANTED = re.compile(r"^ego\s*=\s*new\b[^#]*?\bwith\s+wantedSpeed\s+(\d+(?:\.\d+)?)\s*(?:,|$)", re.MULTILINE)
+_TOP = re.compile(r"^ego\s*=\s*new\b[^#\n]*?\bwith\s+topSpeed\s+(\d+(?:\.\d+)?)\s*(?:,|$)", re.MULTILINE)
 _KEEPS = re.compile(r"^ego\s*=\s*new\b[^#]*?\bwith\s+keepsLimits\s+(True|False)\s*(?:,|$)", re.MULTILINE)
 _PLACED = re.compile(r"^ego\s*=\s*new\s+(\w+)", re.MULTILINE)
 
@@ -69,8 +70,9 @@ class ScenicProgram:
 
     @property
     def ego_limits(self) -> Limits:
-        """What the ego's kind of vehicle can do."""
-        return LIMITS[self.ego_kind]
+        """What the ego's vehicle can do."""
+        found, limits = None if self.drawn else _TOP.search(self.source), LIMITS[self.ego_kind]
+        return replace(limits, top_speed=float(found[1])) if found else limits
 
     @property
     def called(self) -> str:

@@ -11,11 +11,12 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import Any, ClassVar
 
-from chatscene.terms.actors import AdversaryKind
+from chatscene.terms.actors import AdversaryKind, RoadUser
 from chatscene.terms.amount import Acceleration, Duration, Length, Share, Speed
 from chatscene.terms.surroundings import Light, Surface, Weather
 from chatscene.terms.vocabulary import (
     GLIDES,
+    KEEPS_UP,
     SLOWS,
     Act,
     Breach,
@@ -49,7 +50,13 @@ class _Closed:
 
 
 CREEPS = 2.0  # [m/s]: a speed below it of what leads aside says how fast somebody comes aside, and not along
+KEEPS_AHEAD = 1.2  # times the ego's speed is what somebody may drive at who passes it
 MUCH_FASTER = 2.0  # times that, the least speed of another road user of whom it says so
+
+
+def _fastest(*said: Speed | None) -> float:
+    """The largest speed [m/s] of those that were said, but for what is said against the ego's."""
+    return max((one.most for one in said if one and not one.than_ego and one.low > 0.0), default=0.0)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -176,6 +183,11 @@ class Other(_Closed):
     hidden_by: str | None = None
     does: tuple[Deed, ...] = ()
 
+    @property
+    def row(self) -> RoadUser:
+        """What holds of its kind; of who is said to be faster than most of it, of a stronger one."""
+        return self.kind.row.body.row.at(_fastest(self.starts.speed, *(deed.speed for deed in self.does)))
+
     def speed_aside(self, k: int) -> Speed | None:
         """How fast it comes aside by its k-th deed, and not along the road, if that was said.
 
@@ -208,6 +220,11 @@ class Ego(_Closed):
     def body(self) -> AdversaryKind:
         """The kind of the world that it is built as."""
         return (self.kind or UserKind.CAR).row.body
+
+    @property
+    def row(self) -> RoadUser:
+        """What holds of its kind; of one that is said to be faster than most of it, of a stronger one."""
+        return self.body.row.at(_fastest(self.speed, *(deed.speed for deed in self.does)))
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -340,6 +357,12 @@ class Situation(_Closed):
     def adversaries(self) -> tuple[Other, ...]:
         """Those who meet the ego."""
         return tuple(one for one in self.others if one.role is Role.ADVERSARY)
+
+    def row_of(self, one: Other) -> RoadUser:
+        """What holds of somebody beside this ego: of who passes or keeps up with a fast one, of one as strong."""
+        said = any(speed and not speed.than_ego for speed in (one.starts.speed, *(deed.speed for deed in one.does)))
+        keeps_up = not said and any(deed.act in KEEPS_UP for deed in one.does)
+        return one.row.at(KEEPS_AHEAD * _fastest(self.ego.speed)) if keeps_up else one.row
 
     def does(self, who: str) -> tuple[Deed, ...]:
         """What the ego, or another of an id, does.

@@ -636,6 +636,8 @@ ROLLING = acts_of(Heads.ACROSS, Heads.IN)
 """What a thing does that rolls or is blown."""
 COMES_IN = acts_of(Heads.ACROSS, Heads.IN, Heads.FROM_EDGE)
 """What is done by whoever is outside the ego's lane and comes into it: begun before, and done when it is in."""
+KEEPS_UP = acts_of(Heads.BY, Heads.BEFORE, Heads.LEVEL, Heads.BEHIND, Heads.CLOSE)
+"""What somebody does who is as fast as another, or faster."""
 OVER_A_LINE = acts_of(Heads.OVER, Heads.OUT)
 """What leads from a lane to another one, whoever is in that."""
 COMES_OVER = acts_of(Heads.OVER, Heads.BEFORE, Heads.MERGES, Heads.IN)

@@ -33,6 +33,7 @@ class Placement:
         width: [m].
         wheelbase: Of a vehicle [m]; else 0.
         wheel_angle: Largest wheel angle of a vehicle [rad]; else 0.
+        top_speed: Of one that is faster than its kind, its top speed [m/s]; else 0.
         blueprint: What the program says that it is in CARLA; empty where it does not.
         grip: The largest acceleration that the road lets it have [m/s²].
         backs: Whether it drives backwards; heading and speed are then those of its way, so that its nose is behind.
@@ -47,6 +48,7 @@ class Placement:
     width: float
     wheelbase: float = 0.0
     wheel_angle: float = 0.0
+    top_speed: float = 0.0
     blueprint: str = ""
     grip: float = math.inf
     backs: bool = False

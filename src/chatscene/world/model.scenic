@@ -85,6 +85,7 @@ class Car(Driven, Car):
     width: _LIMITS[self.kind].width
     wheelbase: _wheelbase_of(self.kind, self.length)
     wheelAngle: _LIMITS[self.kind].wheel_angle
+    topSpeed: _LIMITS[self.kind].top_speed
     isWalker: False
     label: ''
     role: ''
@@ -116,6 +117,7 @@ class Pedestrian(Walking, Pedestrian):
     kind: 'Pedestrian'
     length: _LIMITS[self.kind].length
     width: _LIMITS[self.kind].width
+    topSpeed: _LIMITS[self.kind].top_speed
     isWalker: True
     label: ''
     role: ''

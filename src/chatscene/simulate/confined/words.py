@@ -201,7 +201,7 @@ METHODS = frozenset(("offset", "project"))
 
 PROPERTIES = _set(
     "allowCollisions backwards behavior heading keepsLimits label length orders roadDeviation role route speed velocity"
-    " wantedSpeed width"
+    " topSpeed wantedSpeed width"
 )
 """What may follow ``with``."""
 

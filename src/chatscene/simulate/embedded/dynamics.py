@@ -130,8 +130,13 @@ class WalkerBody(Walker):
 
 
 @lru_cache(maxsize=64)
-def _limits_of(kind: str, length: float, width: float, wheelbase: float, wheel_angle: float) -> Limits:
-    return replace(LIMITS[kind], length=length, width=width, wheelbase=wheelbase, wheel_angle=wheel_angle)
+def _faster(known: Limits, top_speed: float) -> Limits:
+    return replace(known, top_speed=top_speed)
+
+
+@lru_cache(maxsize=64)
+def _limits_of(known: Limits, length: float, width: float, wheelbase: float, wheel_angle: float) -> Limits:
+    return replace(known, length=length, width=width, wheelbase=wheelbase, wheel_angle=wheel_angle)
 
 
 def make_body(
@@ -151,6 +156,8 @@ def make_body(
     if not (min(size) > 0.0 and all(map(math.isfinite, (x, y, heading, speed, *size)))):
         raise ValueError(f"{one_of_class(kind)} of {size[0]:g} m by {size[1]:g} m at ({x:g}, {y:g}), at {speed:g} m/s")
     known = LIMITS.get(kind, THING)
+    if placement.top_speed not in (0.0, known.top_speed):
+        known = _faster(known, placement.top_speed)
     slowest = -REVERSE_SPEED if known.wheelbase else 0.0
     if placement.backs and not speed <= -slowest:
         raise ValueError(
@@ -162,7 +169,7 @@ def make_body(
         )
     if not known.top_speed:
         return Body(x, y, heading, *size)
-    limits = _limits_of(kind, *size, placement.wheelbase, placement.wheel_angle)
+    limits = _limits_of(known, *size, placement.wheelbase, placement.wheel_angle)
     body = vehicle(x, y, heading, limits, speed) if known.wheelbase else WalkerBody(x, y, heading, limits, speed)
     if isinstance(body, Vehicle):
         body.backs = placement.backs
