@@ -112,8 +112,8 @@ def test_who_comes_too_fast_to_be_braked_for_gains_speed_in_time():
             "others.A.does.0.when.ego_within: 15 m: A needs",
         ),
         (
-            {"others": [one("A", "truck", "ahead", {"act": "brake"}, speed="110 km/h")], "ego": {"speed": "110 km/h"}},
-            "others.A.starts.speed: 110 km/h is more than a truck can drive: at most 90 km/h",
+            {"others": [one("A", "truck", "ahead", {"act": "brake"}, speed="130 km/h")], "ego": {"speed": "110 km/h"}},
+            "others.A.starts.speed: 130 km/h is more than a truck can do: at most 120 km/h",
         ),
         (
             {

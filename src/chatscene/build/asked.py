@@ -33,6 +33,7 @@ from chatscene.terms.vocabulary import (
 
 ROOM = 3.0  # [m] between who stand in a row
 SOME = 3  # of a group whose size was not said
+PARKED_APART = 2.5  # [m] between who are parked in a row
 APART = 1.0  # [s] between who drive in a row, from nose to tail
 NEAREST = 3.0  # [m] between who begin one behind the other
 

@@ -8,18 +8,20 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 
-from chatscene.build.asked import stands_first
+from chatscene.build.asked import PARKED_APART, ROOM, stands_first
 from chatscene.build.coming import wanted_by
 from chatscene.build.paces import AT_ONE_SPEED
 from chatscene.build.place import GOES_OVER, NEXT_LANE
 from chatscene.build.possible import OVERTAKEN
 from chatscene.build.timing import Body
 from chatscene.build.waiting import SIGNS
+from chatscene.errors import NotBuilt
+from chatscene.situations.check import MOST
 from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.amount import Length, Speed
 from chatscene.terms.changing import changes_later
 from chatscene.terms.lateral import PLACED
-from chatscene.terms.situation import EGO, LATERALS, Deed, Ego, Lateral, Other, Situation, When
+from chatscene.terms.situation import EGO, LATERALS, SEVERAL, Deed, Ego, Lateral, Other, Situation, When
 from chatscene.terms.vocabulary import (
     FOR_SOMEBODY,
     SIDEWAYS,
@@ -66,6 +68,7 @@ def restated(situation: Situation) -> Restated:
     _over_when_told(made)
     _met_at_a_point(made)
     for rule in (
+        _fills_its_row,
         _keeps_aside,
         _comes_aside,
         _on_foot_against,
@@ -76,6 +79,29 @@ def restated(situation: Situation) -> Restated:
     ):
         made.each(rule)
     return made
+
+
+def _fills_its_row(made: Restated, one: Other) -> Other:
+    """Of a row that was said to be so long there are as many as stand in it.
+
+    Raises:
+        NotBuilt: They move, or more would stand in it than is built.
+    """
+    if one.stretch is None:
+        return one
+    at, length = f"others.{one.id}.stretch", one.row.limits.length
+    if not stands_first(one):
+        raise NotBuilt(f"{at}: only a row of those who stand at first has a length; say distances of who moves")
+    apart = PARKED_APART if one.starts.where is Where.KERB else ROOM
+    many = max(2, round((one.stretch.near(one.stretch.least) + apart) / (length + apart)))
+    if one.count not in (SEVERAL, 1, many):
+        least, most = (n * length + (n - 1) * apart for n in (one.count, one.count + 1))
+        raise NotBuilt(f"{at}: {one.stretch}: {one.count} of {one.id} make a row of {least:.0f} to {most:.0f} m")
+    if many > MOST:
+        raise NotBuilt(f"{at}: {one.stretch} is more than a row of {MOST}: {MOST * (length + apart) - apart:.0f} m")
+    made.taken.append(at)
+    made.assumed.append(f"there are {many} of {one.id}, as many as stand in {one.stretch}")
+    return replace(one, count=many)
 
 
 def _comes_aside(_: Restated, one: Other) -> Other:

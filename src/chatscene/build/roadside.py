@@ -5,13 +5,15 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
-from chatscene.build.asked import FROM_A_STAND, stands_first
+from chatscene.build.asked import FROM_A_STAND, PARKED_APART, stands_first
 from chatscene.build.hiding import BESIDE
 from chatscene.build.ledger import Ledger
 from chatscene.build.place import at_junction, between_bays
+from chatscene.terms.actors import LIMITS
 from chatscene.terms.backing import backs
+from chatscene.terms.scene import CAR
 from chatscene.terms.situation import Deed, Other, Situation
-from chatscene.terms.vocabulary import Act, Feature, Side, UserKind, Where
+from chatscene.terms.vocabulary import Act, Feature, Side, Tempo, UserKind, Where
 
 if TYPE_CHECKING:
     from chatscene.build.actor import Actor
@@ -21,6 +23,7 @@ DOOR = 0.25  # of its length that the front door of a bus is before its middle
 HARD = 0.75  # of its brake with which who stops does
 SHELTER_ASIDE = 3.6  # [m] outside the lanes: clear of a bus at the kerb and of who walks there
 PARKED = (12.0, 18.5, 25.0)  # [m] beyond who is met, where nobody who comes out from between is hidden by them
+BY_ONE = 4  # cars that are parked before one who stands in their row, and behind it
 ROW = tuple(-26.5 + 6.5 * n for n in range(9))  # [m] beyond who is met, on a side on which nobody is
 BEFORE_JUNCTION = 12.0  # [m]
 SIGN_BEFORE = 30.0  # [m] before who is met
@@ -48,13 +51,41 @@ def beside_road(ledger: Ledger, everybody: Sequence[Actor]) -> Iterator[str]:
             yield from _signed(ledger, feature, everybody)
         elif feature is Feature.PARKED_CARS:
             ledger.take(f"road.has.{i}")
-            if all(actor.one.starts.where is not Where.KERB or actor.count < len(PARKED) for actor in everybody):
-                yield from _things("parked", "Car", everybody[0], PARKED, AT_KERB)
+            yield from _parked("parked", everybody, everybody[0].one.starts.side or Side.RIGHT)
         elif feature is Feature.PARKED_BOTH_SIDES:
             ledger.take(f"road.has.{i}")
             for side in Side:
-                row = PARKED if side in _taken(everybody) else ROW
-                yield from _things(f"parked-{side}", "Car", everybody[0], row, AT_KERB, side)
+                yield from _parked(f"parked-{side}", everybody, side)
+
+
+def _parked(name: str, everybody: Sequence[Actor], side: Side) -> Iterator[str]:
+    """The lines of a row of parked cars on a side of the road: of the one or more that park there, what is lacking.
+
+    Two or more who stand there are the row. One stands in it, and cars are parked before and behind it. Where somebody
+    comes out from that side on foot, the row begins beyond, so that nobody is hidden of whom that was not said.
+    """
+    there = [actor for actor in everybody if actor.one.starts.where is Where.KERB and _side(actor) is side]
+    parked = [actor for actor in there if stands_first(actor.one)]
+    if sum(actor.count for actor in parked) > 1:
+        return
+    if not parked:
+        yield from _things(name, "Car", everybody[0], PARKED if side in _taken(everybody) else ROW, AT_KERB, side)
+        return
+    (one,) = parked
+    free = 0.5 * (one.limits.length + LIMITS[CAR].length) + PARKED_APART
+    row = [free + n * (ROW[1] - ROW[0]) for n in range(BY_ONE)]
+    before = [-ahead for ahead in row if ahead < one.numbers.range_of("Y")[0]]  # not before the ego's way begins
+    beyond = () if at_junction(one.ledger.situation) else row if _stays(one.one) else PARKED  # who pulls out needs room
+    yield from _things(name, "Car", one, (*before, *beyond), AT_KERB, side, by=one.filled(one.stand.at))
+
+
+def _stays(one: Other) -> bool:
+    """Whether somebody stays where it stands, whatever it lets go of."""
+    return all(deed.act.row.tempo is Tempo.STANDS or deed.act.row.lets_go for deed in one.does)
+
+
+def _side(actor: Actor) -> Side:
+    return actor.one.starts.side or Side.RIGHT
 
 
 def _shelter(situation: Situation, everybody: Sequence[Actor]) -> Iterator[str]:
@@ -130,12 +161,18 @@ def _signed(ledger: Ledger, feature: Feature, everybody: Sequence[Actor]) -> Ite
 
 
 def _things(
-    name: str, cls: str, met: Actor, ahead: Sequence[float], beyond: float, at_side: Side | None = None
+    name: str,
+    cls: str,
+    met: Actor,
+    ahead: Sequence[float],
+    beyond: float,
+    at_side: Side | None = None,
+    by: str = "",
 ) -> Iterator[str]:
-    """Things of a class along the edge of the road, so far [m] beyond who is met and outside the lanes."""
+    """Things of a class along the edge of the road, so far [m] beyond who is met, or a place, and outside the lanes."""
     side, route = at_side or met.one.starts.side or Side.RIGHT, met.found.route
-    level = f"{met.numbers.middle('Y'):.4g}" if met.stand.anywhere else "egoRoute.eventAt"
-    if route.route.junction is not None:  # beyond which there is another road
+    level = by or (f"{met.numbers.middle('Y'):.4g}" if met.stand.anywhere else "egoRoute.eventAt")
+    if route.route.junction is not None and not by:  # beyond which there is another road
         level = f"egoRoute.eventAt - {BEFORE_JUNCTION + ahead[-1]:g}"
     for n, further in enumerate(ahead):
         in_bay = cls == "Car" and between_bays(met.found)

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from chatscene.build.actor import Actor
-from chatscene.build.asked import Meets, between, is_still
+from chatscene.build.asked import PARKED_APART, Meets, between, is_still
 from chatscene.build.deeds import OWN
 from chatscene.build.hiding import place_hiding
 from chatscene.build.naming import name_of
@@ -122,7 +122,7 @@ class Written:
         """How far [m] the middles of two in its row are apart."""
         if self.actor.stand.meets in (Meets.ALONG, Meets.TOWARD):
             return (self.actor.limits.length or 1.5) + between(self.actor.one, self.actor.ego_speed)
-        return (self.actor.limits.length or 1.5) + 2.5
+        return (self.actor.limits.length or 1.5) + PARKED_APART
 
     @property
     def _abreast(self) -> float:

@@ -212,6 +212,10 @@ class _Judge:
         yield Finding(path=f"{at}.kind", shown=known, told=f"said {one.kind}, it is {one_seen(kind)}")
         enough = len(tracks) > 1 if one.count == SEVERAL else len(tracks) == one.count
         yield Finding(path=f"{at}.count", shown=enough, told=f"said {one.count or 'several'}, there are {len(tracks)}")
+        if one.stretch is not None:
+            ends = np.array([[track.x[0], track.y[0]] for track in tracks])
+            long = np.hypot(*(ends - ends[:1]).T).max(keepdims=True) + tracks[0].length
+            yield self.measure.number(f"{at}.stretch", one.stretch, long, tracks[0].length, "is so long:", cut=False)
         seen = self.seen[one.id] = watch(self.episode, self.route, tracks[0], self.contact)
         yield from self._start(one, at, seen)
         yield from self._deeds(one, at, seen, done)

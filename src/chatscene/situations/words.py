@@ -196,6 +196,8 @@ class _Telling(Named):
             phrase = phrase.replace(AHEAD, AWAY)
         place = self._filled(phrase, form, slots).tells(f"{at}.starts.where")
         asides = Words()
+        if one.stretch is not None:
+            asides += Words(", in a row ") + self._amount(one.stretch, f"{at}.stretch") + " long"
         if starts.facing is not None:
             asides += Words(", ") + self._filled(FACINGS[starts.facing], form).tells(f"{at}.starts.facing")
         asides += self._lateral(starts.lateral, form, f"{at}.starts.lateral")

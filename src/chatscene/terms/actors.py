@@ -26,6 +26,7 @@ from chatscene.terms.nouns import with_article
 
 THING_HEIGHT = 2.0  # [m], at the roadside
 NEARLY = 0.95  # of a top speed: what somebody may be at
+ABOUT = 1.01  # times the speed that a body holds is no other speed
 EASILY = 1.05  # times the drag at a speed is what the engine of one gives that is built for it
 AIR_DRAG = 0.0008  # [1/m] on top of `Limits.drag`: with both, a car coasts from 15 to 10 m/s in about 15 s
 
@@ -159,7 +160,7 @@ class RoadUser:
 
     def at(self, speed: float) -> RoadUser:
         """The row of one that is driven at a speed [m/s]: a stronger one, if a common one does not hold it."""
-        return self if speed <= self.limits.holds or not self.most else _stronger(self, min(speed, self.most))
+        return self if speed <= ABOUT * self.limits.holds or not self.most else _stronger(self, min(speed, self.most))
 
     @property
     def noun(self) -> str:

@@ -169,6 +169,7 @@ class Other(_Closed):
         id: A short name.
         kind: What it is.
         count: How many; 0 for several, if their number was not said.
+        stretch: How long the row of several is, as of parked cars or a queue.
         role: What it is there for.
         starts: Where it is when it begins.
         hidden_by: The id of whom or what hides it from the ego at first.
@@ -178,6 +179,7 @@ class Other(_Closed):
     id: str
     kind: UserKind
     count: int = 1
+    stretch: Length | None = None
     role: Role = Role.ADVERSARY
     starts: Start
     hidden_by: str | None = None
@@ -359,9 +361,9 @@ class Situation(_Closed):
         return tuple(one for one in self.others if one.role is Role.ADVERSARY)
 
     def row_of(self, one: Other) -> RoadUser:
-        """What holds of somebody beside this ego: of who passes or keeps up with a fast one, of one as strong."""
+        """What holds of somebody beside this ego: of who passes or keeps up with a strong one, of one as strong."""
         said = any(speed and not speed.than_ego for speed in (one.starts.speed, *(deed.speed for deed in one.does)))
-        keeps_up = not said and any(deed.act in KEEPS_UP for deed in one.does)
+        keeps_up = self.ego.row.limits.most and not said and any(deed.act in KEEPS_UP for deed in one.does)
         return one.row.at(KEEPS_AHEAD * _fastest(self.ego.speed)) if keeps_up else one.row
 
     def does(self, who: str) -> tuple[Deed, ...]:
