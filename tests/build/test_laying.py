@@ -9,12 +9,13 @@ import pytest
 from chatscene.build.build import Built, build
 from chatscene.build.laying import roads_for
 from chatscene.errors import NotBuilt
+from chatscene.maps.lane_runs import centre_line
 from chatscene.maps.loading import load_roads
 from chatscene.maps.neighbours import oncoming_line
 from chatscene.maps.network import resolve_map
 from chatscene.maps.routes import find_routes
 from chatscene.situations.form import from_plain
-from chatscene.terms.route import RouteQuery
+from chatscene.terms.route import Beside, RouteQuery
 from chatscene.terms.scenario import Maneuver, Place, Site
 from chatscene.terms.situation import Situation
 
@@ -151,3 +152,29 @@ def test_who_turns_round_beyond_a_median_is_in_the_lane_beside_it_as_the_ego_is(
     line = oncoming_line(network, route)
     assert line is not None
     assert abs(line.project(*route.line.point_at(0.0))[1]) == pytest.approx(3.5 + 3.0, abs=0.01)
+
+
+def test_the_innermost_lane_is_counted_from_the_inside() -> None:
+    road = {"kind": "motorway", "ego_lane": -1}
+    built = made("beside", "cut-in", side="right", road=road)
+    assert "lane=-1" in built.program.source
+    assert built.left_out == ()
+    with pytest.raises(NotBuilt, match="lane 1 from the innermost"):
+        made("beside", "cut-in", side="left", road=road)
+
+
+def test_who_swings_out_in_a_bend_does_so_just_beyond_it() -> None:
+    built = made("ahead", "stand", road={"kind": "left-curve"}, ego={"route": "bypass", "speed": "50 km/h"})
+    assert "site='past-bend', place='left-curve'" in built.program.source
+    assert built.left_out == ()
+
+
+def test_an_ego_turns_into_a_driveway_across_the_lane_of_those_who_come() -> None:
+    built = made("oncoming", "go-along", ego={"route": "enter-driveway-across"}, road={"has": ["driveway"]})
+    assert built.map == "road:1+1,driveway=left,length=700"
+    network: Any = load_roads(resolve_map(built.map))
+    query = RouteQuery(maneuver=Maneuver.STRAIGHT, site=Site.DRIVEWAY_LEFT, ends=Beside.DRIVEWAY_ACROSS)
+    (route, *_) = find_routes(network, built.map, query)
+    x, y = route.line.points[-1].tolist()
+    lane = centre_line(network.elements[route.lane_ids[0]])
+    assert lane.project(x, y)[1] > 1.75 + 3.5 + 5.0

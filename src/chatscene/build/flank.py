@@ -37,7 +37,8 @@ Level = tuple[float, float]
 _MOVES_OVER = ASIDE | COMES_OVER
 _TURNS_OVER = {Side.LEFT: Act.TURN_RIGHT, Side.RIGHT: Act.TURN_LEFT}
 _GOES_ON = GOES_ON | acts_of(Heads.THROUGH, Heads.LEVEL)
-_TURNS = frozenset((EgoRoute.LEFT_TURN, EgoRoute.RIGHT_TURN, EgoRoute.ENTER_DRIVEWAY))
+_INTO_DRIVEWAY = (EgoRoute.ENTER_DRIVEWAY, EgoRoute.ENTER_DRIVEWAY_ACROSS)
+_TURNS = frozenset((EgoRoute.LEFT_TURN, EgoRoute.RIGHT_TURN, *_INTO_DRIVEWAY))
 
 
 def comes_over(situation: Situation, one: Other) -> bool:

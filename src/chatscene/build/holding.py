@@ -75,7 +75,7 @@ def as_said(situation: Situation, found: Found) -> Iterator[str]:
     holds = {
         "ego.route": situation.ego.route not in _SITE_OF or site == _SITE_OF[situation.ego.route],
         "road.lanes": road.lanes == lanes_there(found),
-        "road.ego_lane": query.get("lane", 0) - beside_ramp(query) == road.ego_lane,
+        "road.ego_lane": query.get("lane", 0) in (road.ego_lane, (road.ego_lane or 0) + beside_ramp(query)),
         "road.kind": _is_kind(road.kind, found),
         "road.control": (road.control in CONTROLS and "control" in query)
         or (road.control is RightOfWay.YIELD_SIGN and (site == Site.ROUNDABOUT or "control" in query))

@@ -114,7 +114,7 @@ def _ahead(situation: Situation) -> int:
     """Lanes the ego's way: as many as were said, else as many as there must be for all."""
     road = situation.road
     if road.lanes is not None:
-        return max(1, road.lanes, road.ego_lane or 1)
+        return max(1, road.lanes)
     sides = {
         one.starts.side or Side.RIGHT
         for one in situation.others
@@ -123,8 +123,8 @@ def _ahead(situation: Situation) -> int:
     left, right = lanes_needed(situation, {})
     beside = Feature.LANE_DROP in road.has or situation.ego.route in {*_OVER, EgoRoute.MERGE}
     wide = road.kind is RoadKind.MOTORWAY or (_is_divided(situation) and not at_junction(situation))
-    two = beside or wide or abreast(situation)
-    return max(1 + len(sides), 1 + left + right, road.ego_lane or 1, 2 if two else 1)
+    two = beside or wide or abreast(situation) or road.ego_lane == -1
+    return max(1 + len(sides), 1 + left + right, abs(road.ego_lane or 1), 2 if two else 1)
 
 
 def _back(situation: Situation, ahead: int) -> int:
@@ -187,6 +187,8 @@ def _driveway(situation: Situation) -> Sides | None:
     """On which sides driveways lead off the road: where somebody is in one, else where the ego turns off."""
     there = {one.starts.side or Side.RIGHT for one in situation.others if one.starts.where is Where.DRIVEWAY}
     there |= {*hooks_off(situation)}
+    if situation.ego.route is EgoRoute.ENTER_DRIVEWAY_ACROSS:
+        there.add(Side.LEFT)
     if not there and Feature.DRIVEWAY in situation.road.has:
         there = {Side.RIGHT}
     if len(there) > 1:

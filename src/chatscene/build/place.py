@@ -50,6 +50,7 @@ GOES_OVER = _TO_SIDE | {
     EgoRoute.LANE_CHANGE_LEFT: Side.LEFT,
     EgoRoute.LANE_CHANGE_RIGHT: Side.RIGHT,
     EgoRoute.ENTER_DRIVEWAY: Side.RIGHT,
+    EgoRoute.ENTER_DRIVEWAY_ACROSS: Side.LEFT,
     EgoRoute.PARK: Side.RIGHT,
 }
 """The side on which the ego goes over the way of who goes on beside it."""

@@ -41,6 +41,7 @@ from chatscene.terms.situation import Other, Situation
 from chatscene.terms.vocabulary import Act, EgoRoute, Feature, Heads, RoadKind, Setting, Side, Where, acts_of
 
 IN_BEND = 0.29  # of its radius: so much of a bend before and beyond the middle of a route turns by 33°
+BEYOND_BEND = 0.8  # of its radius: so far on a route turns that ends just beyond a bend
 _CURVES = (RoadKind.CURVE, RoadKind.LEFT_CURVE, RoadKind.RIGHT_CURVE)
 
 
@@ -76,12 +77,14 @@ def _on_laid(situation: Situation, laid: LaidRoad, query: dict[str, Any]) -> dic
         asked.pop("site", None)
         asked.pop("beside") if asked.get("beside") == "none" else None
     if laid.bend is not None and "approach" not in asked:
-        asked["approach"] = max(SHORT_ROAD / 2, ceil(IN_BEND * laid.bend.radius))
+        share = IN_BEND if straight else BEYOND_BEND
+        asked["approach"] = max(SHORT_ROAD / 2, ceil(share * laid.bend.radius))
     if laid.bus_lane or laid.ridden:  # the outermost, which is none of those that were counted
         beside = not (laid.ridden or in_bus_lane(situation))
         more = int(beside or situation.road.lanes is not None)  # else the ego's own is it
         asked |= {name: asked[name] + more for name in ("most", "lanes") if name in asked}
-        asked |= {"lanes": max(2, asked.get("lanes", 2)), "lane": asked.get("lane", 1) + beside}
+        lane = asked.get("lane", 1)
+        asked |= {"lanes": max(2, asked.get("lanes", 2)), "lane": lane + (beside and lane > 0)}
         asked.pop("beside", None) if asked.get("beside") == "none" else None
     return asked
 
@@ -117,7 +120,7 @@ def _in_setting(setting: Setting | None, queries: list[dict[str, Any]]) -> Itera
 def _counting_the_ramps(query: dict[str, Any]) -> dict[str, Any]:
     """The same query; past a ramp the map counts the ramp's lane, too, which nobody does who tells of the road."""
     more = beside_ramp(query)
-    return query | {name: query[name] + more for name in ("lanes", "most", "lane") if name in query}
+    return query | {name: query[name] + more for name in ("lanes", "most", "lane") if query.get(name, 0) > 0}
 
 
 def _queries(situation: Situation, sides: dict[str, Side]) -> Iterator[dict[str, Any]]:
@@ -136,6 +139,8 @@ def _queries(situation: Situation, sides: dict[str, Side]) -> Iterator[dict[str,
         base["lanes"] = road.lanes
     if road.ego_lane is not None:
         base["lane"] = road.ego_lane
+        if road.ego_lane < 0:  # of several
+            base["lanes"] = max(2, -road.ego_lane, road.lanes or 2)
     if road.two_way is not None and not at_junction(situation):
         base |= {"opposite": road.two_way} | ({} if road.two_way else {"divided": True})
     if Feature.MEDIAN in road.has:
@@ -170,6 +175,8 @@ def _sites(situation: Situation, sides: dict[str, Side]) -> Iterator[dict[str, A
     out = (one for one in situation.others if one.starts.where is Where.DRIVEWAY)
     yield from ({"site": DRIVEWAYS[one.starts.side or sides.get(one.id, Side.RIGHT)].value} for one in out)
     yield from ({"site": DRIVEWAYS[side].value} for side in hooks_off(situation))
+    if situation.ego.route is EgoRoute.ENTER_DRIVEWAY_ACROSS:
+        yield {"site": Site.DRIVEWAY_LEFT.value}
     at_crosswalk = (one.starts.where is Where.CROSSING for one in situation.others)
     has = [*situation.road.has, *(Feature.CROSSWALK for marked in at_crosswalk if marked)]
     yield from ({"site": SITES[one].value} for one in dict.fromkeys(has) if one in SITES)
@@ -298,11 +305,7 @@ def _along(situation: Situation, base: dict[str, Any], lanes: list[str]) -> Iter
     """Queries for a way between junctions."""
     road, others = situation.road, situation.others
     straight = base["maneuver"] == Maneuver.STRAIGHT
-    query = dict(base)
-    if straight and "site" not in query:
-        query["place"] = PLACES.get(road.kind or RoadKind.ROAD, Place.ROAD).value
-    elif straight and road.kind is not None and road.kind in _CURVES:
-        query["place"] = PLACES[road.kind].value
+    query = base | _place_along(road.kind, base, straight=straight)
     places = {one.starts.where for one in others}
     wrong_way = Where.ONCOMING_IN_OUR_LANE in places
     against = Where.ONCOMING in places or (wrong_way and query.get("opposite", True))
@@ -325,6 +328,14 @@ def _along(situation: Situation, base: dict[str, Any], lanes: list[str]) -> Iter
     if wrong_way and Where.ONCOMING not in places:  # who needs no lane of its own
         beside = {} if not lanes else {"beside": lanes[0]} if straight else _lanes_to_change(situation, lanes)
         yield base | beside
+
+
+def _place_along(kind: RoadKind | None, base: dict[str, Any], *, straight: bool) -> dict[str, Any]:
+    """What is asked for of the road's shape: who swings out or changes lanes does so just after its bend."""
+    if kind is not None and kind in _CURVES:
+        past = {"site": Site.PAST_BEND.value} if not straight and "site" not in base else {}
+        return past | ({"place": PLACES[kind].value} if straight or past else {})
+    return {"place": PLACES.get(kind or RoadKind.ROAD, Place.ROAD).value} if straight and "site" not in base else {}
 
 
 def _lanes_to_change(situation: Situation, taken: list[str]) -> dict[str, Any]:

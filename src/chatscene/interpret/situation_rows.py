@@ -66,6 +66,7 @@ SITES: dict[Site, Road] = {
     Site.RAIL_CROSSING: Road(kind=RoadKind.RAIL_CROSSING),
     Site.DRIVEWAY: Road(has=(Feature.DRIVEWAY,)),
     Site.DRIVEWAY_LEFT: Road(has=(Feature.DRIVEWAY,)),
+    Site.PAST_BEND: Road(kind=RoadKind.CURVE),
 }
 WAYS_OF_SITES = {Site.ROUNDABOUT: EgoRoute.ROUNDABOUT, Site.ON_RAMP: EgoRoute.MERGE, Site.OFF_RAMP: EgoRoute.EXIT}
 RULES = {

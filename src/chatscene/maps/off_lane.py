@@ -9,6 +9,7 @@ import numpy as np
 
 from chatscene.maps.lane_changes import neighbour, shifted, wide_at
 from chatscene.maps.lane_runs import LaneRun, lane_runs
+from chatscene.maps.neighbours import opposes
 from chatscene.terms.polyline import Polyline
 from chatscene.terms.route import Beside
 
@@ -55,14 +56,33 @@ def begun(line: Polyline, begins: Beside, *, aisle: bool = False) -> tuple[Polyl
     return Polyline.join(bend, line.between(CURB_RADIUS, line.length)), DRIVEWAY + CURB_RADIUS / 2
 
 
-def ended(line: Polyline, ends: Beside, at: float) -> Polyline:
-    """A line along a lane that leaves it at an arc length [m] for the kerb or a driveway on its right."""
+def ended(line: Polyline, ends: Beside, at: float, across: float = 0.0) -> Polyline:
+    """A line along a lane that leaves it at an arc length [m] for the kerb or a driveway on its right, or across.
+
+    Args:
+        line: Along the lane.
+        ends: What it leaves it for.
+        at: Where.
+        across: How far [m] the lanes reach to the left of its middle.
+    """
     if ends is Beside.KERB:
         return shifted(line.between(0.0, at + OVER + 4.0), -KERB, at, None, OVER)
+    to_left = ends is Beside.DRIVEWAY_ACROSS
+    radius = max(CURB_RADIUS, across) if to_left else CURB_RADIUS
     angle = np.linspace(0.0, math.pi / 2, _ARC)
-    along = np.concatenate((CURB_RADIUS * np.sin(angle), [CURB_RADIUS]))
-    left = np.concatenate((CURB_RADIUS * (np.cos(angle) - 1.0), [-CURB_RADIUS - DRIVEWAY]))
+    along = np.concatenate((radius * np.sin(angle), [radius]))
+    left = np.concatenate((radius * (1.0 - np.cos(angle)), [radius + DRIVEWAY])) * (1.0 if to_left else -1.0)
     return Polyline.join(line.between(0.0, at), _beside(line, at, along, left))
+
+
+def lanes_across(run: LaneRun, at: float) -> float | None:
+    """How far [m] the lanes of the other direction reach to the left of a run's innermost lane; None where none lie."""
+    lane = run.lane_at(at)
+    there = neighbour(run, at, 1)
+    if there is None or not opposes(lane, there):
+        return None
+    x, y = run.line.point_at(at)
+    return abs(Polyline(np.array(there.group.rightEdge.points)[:, :2]).project(x, y)[1])
 
 
 def turned_back(network: Any, run: LaneRun, start: float, at: float) -> tuple[Polyline, Any] | None:

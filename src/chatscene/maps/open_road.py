@@ -13,8 +13,8 @@ from chatscene.maps.kept import kept
 from chatscene.maps.lane_changes import neighbour, shifted, wide_at
 from chatscene.maps.lane_runs import LaneRun, centre_line
 from chatscene.maps.neighbours import opposes
-from chatscene.maps.off_lane import LEFT_BACKWARDS, begun, ended, has_kerb, turned_back
-from chatscene.maps.sites import PASSED, along, windows_past
+from chatscene.maps.off_lane import LEFT_BACKWARDS, begun, ended, has_kerb, lanes_across, turned_back
+from chatscene.maps.sites import BEFORE_SWERVE, PASSED, along, windows_past
 from chatscene.terms.polyline import Polyline
 from chatscene.terms.route import Beside, Equipment, RouteQuery
 from chatscene.terms.scenario import Maneuver, Place, Site, includes
@@ -33,6 +33,7 @@ BEHIND_BACK, BEYOND_BACK = 130.0, 20.0  # [m] of road behind, and beyond, where 
 _LATERAL = 1.2  # [m] a straight road may move aside: where a lane shifts by more, the ego seems to change lanes
 _STRAIGHT_ROAD = math.radians(5)
 CURVED_ROAD = math.radians(30)
+BENT_BEFORE = math.radians(15)  # by which a bend turns that is driven before something happens
 _BENT_FROM_THE_START = 1 / 16  # of the turn in the first eighth of the way: whoever is met early is met in the bend
 
 
@@ -54,7 +55,12 @@ def windows(
     site = query.site
     if site is not None and site in PASSED:
         for start, end, past in windows_past(network, run, site, query.approach):
-            if (shape := _shape(run.line, start, end)) is not None and includes(wanted, shape):
+            if site is Site.PAST_BEND:
+                straight_at = past - BEFORE_SWERVE * (past - start)
+                bent = includes(wanted, _bend_before(run.line, start, straight_at))
+                if bent and _shape(run.line, straight_at, end) is Place.ROAD:
+                    yield start, end, past
+            elif (shape := _shape(run.line, start, end)) is not None and includes(wanted, shape):
                 yield start, end, past
         return
     if site is not None and not along(network, run, site):
@@ -94,6 +100,13 @@ def _beyond(maneuver: Maneuver, approach: float) -> float:
         return approach
     usual = BLOCKER_AT if maneuver is Maneuver.BYPASS else CHANGE_AT
     return (OPEN_ROAD - usual) * max(1.0, approach / usual)
+
+
+def _bend_before(line: Polyline, start: float, past: float) -> Place:
+    """The side of the bend that lies on the way from one place of a line to another just beyond it; else ROAD."""
+    turn = turned(line, start, past)
+    bent = abs(turn) > BENT_BEFORE
+    return (Place.LEFT_CURVE if turn > 0 else Place.RIGHT_CURVE) if bent else Place.ROAD
 
 
 def _shape(line: Polyline, start: float, end: float) -> Place | None:
@@ -166,10 +179,11 @@ def _beside_lane(
             return None
         line, lane = found
         return line, (*run.ids_between(onset, onset + event), lane.uid), event
-    if not (has_kerb(run, onset) and has_kerb(run, onset + event)):
+    across = lanes_across(run, onset + event) if query.ends is Beside.DRIVEWAY_ACROSS else 0.0
+    if across is None or (not across and not (has_kerb(run, onset) and has_kerb(run, onset + event))):
         return None
     if query.ends is not None:
-        return ended(own, query.ends, event), run.ids_between(onset, onset + event), event
+        return ended(own, query.ends, event, across), run.ids_between(onset, onset + event), event
     starts = end - BEYOND_BACK if query.begins in LEFT_BACKWARDS else onset + FROM_BEHIND
     aisle = Equipment.BAYS in query.has
     line, event = begun(run.line.between(starts, end), query.begins or Beside.KERB, aisle=aisle)

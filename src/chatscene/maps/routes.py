@@ -116,6 +116,7 @@ def find_routes(network: Any, map_name: str, query: RouteQuery, count: int = 10)
 _ENDS = {
     Beside.KERB: "a kerb to end at",
     Beside.DRIVEWAY: "a driveway to end in",
+    Beside.DRIVEWAY_ACROSS: "a driveway beyond the oncoming lanes to end in",
     Beside.BACK: f"lanes of the other direction {2 * TIGHTEST:.0f} m away to turn into",
 }
 
@@ -180,7 +181,8 @@ def _in_words(query: RouteQuery) -> list[str]:
     words += [f"the {site}" for site in (query.site,) if site is not None]
     words += [f"the setting {query.setting}"] * (query.setting is not None) + ["a median"] * query.divided
     words += [_EQUIPMENT[one] for one in query.has]
-    words += [f"lane {query.lane} from the outermost"] * (query.lane is not None)
+    if query.lane is not None:
+        words.append(f"lane {abs(query.lane)} from the {'outermost' if query.lane > 0 else 'innermost'}")
     words += [f"{with_article(query.begins)} to begin at" for _ in (query.begins,) if query.begins is not None]
     words += [_ENDS[query.ends] for _ in (query.ends,) if query.ends is not None]
     words += [f"{query.approach:.0f} m of road before it" for _ in (query.approach,) if query.approach is not None]
@@ -331,7 +333,7 @@ def _along_roads(network: Any, map_name: str, query: RouteQuery, variant: int) -
         found = on_road(network, run, *window, query)
         if found is not None:
             line, lanes, event_at = found
-            if query.lane is not None and _number_of(run.lane_at(window[0] + event_at)) != query.lane:
+            if not _is_lane(run.lane_at(window[0] + event_at), query):
                 continue  # another lane begins, or ends, before what happens there
             route = Route(
                 id="",
@@ -355,7 +357,7 @@ def _offers(network: Any, lane: Any, query: RouteQuery) -> bool:
     if not query.lanes_same_way <= there <= (query.most_lanes or there):
         return False
     left, right = section_beside(lane.sections[0], 1), section_beside(lane.sections[0], -1)
-    if query.lane not in (None, _number_of(lane)) or (query.lane_beside == "none" and len(lane.group.lanes) > 1):
+    if not _is_lane(lane, query) or (query.lane_beside == "none" and len(lane.group.lanes) > 1):
         return False
     if query.lane_beside in ("left", "right"):
         there = left if query.lane_beside == "left" else right
@@ -364,6 +366,11 @@ def _offers(network: Any, lane: Any, query: RouteQuery) -> bool:
     if query.opposite_lane is None:
         return True
     return (left is not None and opposes(lane, left.lane)) == query.opposite_lane
+
+
+def _is_lane(lane: Any, query: RouteQuery) -> bool:
+    """Whether it is the lane that a query asks for, counted from the outermost or, below 0, from the innermost."""
+    return query.lane is None or query.lane in ((number := _number_of(lane)), number - len(lane.group.lanes) - 1)
 
 
 def _number_of(lane: Any) -> int:

@@ -6,6 +6,7 @@ import math
 from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
 
+import numpy as np
 import shapely
 
 from chatscene.maps.car_parks import car_parks
@@ -42,7 +43,14 @@ BEYOND = (5.0, 20.0, 35.0, 50.0)  # [m] from the nose of an on-ramp to where a r
 AHEAD = (75.0, 65.0, 85.0, 55.0)  # [m] from where a route past an off-ramp begins to its nose
 PAST = (55.0, 45.0, 65.0, 35.0)  # [m] from a route's start to what it leads past
 ROAD = 100.0  # [m] of such a route
-PASSED = frozenset((Site.CROSSWALK, Site.PARKING, Site.BUS_BAY, Site.RAIL_CROSSING, Site.DRIVEWAY, Site.DRIVEWAY_LEFT))
+BEND_STEP, STRAIGHT = 5.0, 1 / 1500  # [m], [1/m]: a road that turns less within a step is straight
+BEFORE_SWERVE = 0.64  # of the way up to whom an ego swings out round, on which it does so: that is beyond the bend
+PASSED = frozenset(
+    (
+        *(Site.CROSSWALK, Site.PARKING, Site.BUS_BAY, Site.RAIL_CROSSING),
+        *(Site.DRIVEWAY, Site.DRIVEWAY_LEFT, Site.PAST_BEND),
+    )
+)
 """What a route on open road leads past."""
 APPROACHED: Mapping[Site, float] = {
     Site.ROUNDABOUT: ENTRIES[0],
@@ -326,6 +334,8 @@ def windows_past(
         marks = _begins(run, furniture_of(network).crosswalks)
     elif site is Site.RAIL_CROSSING:
         marks = _begins(run, ((road, area) for road, area, across in furniture_of(network).tracks if across))
+    elif site is Site.PAST_BEND:
+        marks = [at + BEFORE_SWERVE * (approach or PAST[0]) for at in bends_end(run)]
     elif site in _DRIVEWAYS:
         marks = _driveways_beside(network, run, right=_DRIVEWAYS[site])
     else:
@@ -334,7 +344,7 @@ def windows_past(
     road = ROAD * max(further, 1.0)
     return [
         (at - before, at - before + road, at)
-        for before in (further * one for one in (PAST if site not in _DRIVEWAYS else PAST[:1]))
+        for before in (further * one for one in (PAST[:1] if site in _AS_ASKED else PAST))
         for at in marks
         if at - before >= 2.0 and at - before + road < run.line.length
     ]
@@ -349,6 +359,16 @@ def _begins(run: LaneRun, areas: Iterable[tuple[int, shapely.Polygon]]) -> list[
 
 _DRIVEWAYS = {Site.DRIVEWAY: True, Site.DRIVEWAY_LEFT: False}
 """On which side of a route the driveway lies: the right or not."""
+_AS_ASKED = frozenset((*_DRIVEWAYS, Site.PAST_BEND))
+"""What is as far ahead on each route."""
+
+
+def bends_end(run: LaneRun) -> list[float]:
+    """Where on a run [m] it is straight again after a bend."""
+    at = np.arange(0.0, run.line.length, BEND_STEP)
+    turns = np.diff(np.unwrap(run.line.headings_at(at))) / BEND_STEP
+    straight = np.abs(turns) < STRAIGHT
+    return [float(at[i + 1]) for i in np.flatnonzero(~straight[:-1] & straight[1:])]
 
 
 def _driveways_beside(network: Any, run: LaneRun, *, right: bool) -> list[float]:

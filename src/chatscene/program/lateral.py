@@ -47,7 +47,13 @@ def of_lateral(
         return
     passes = name == "clearance" and (deed is None or deed.act is Said.OVERTAKE)
     left = _where_it_passes(seen) if passes else None
-    if passes and left is None and deed is None and seen.line.length and bool(np.ptp(moved_over(seen.line)) > LANE / 2):
+    if (
+        passes
+        and left is None
+        and deed is None
+        and seen.line.length
+        and bool(np.ptp(moved_over(seen.route)) > LANE / 2)
+    ):
         yield Finding(path=f"{path}.{name}", shown=None, told=f"said {amount}, the ego does not get by it")
         return
     if left is None:

@@ -128,8 +128,9 @@ def maneuver_of(route: Route) -> Maneuver:
         return Maneuver.LEFT_TURN if across > 0 else Maneuver.RIGHT_TURN
     even = heading[0] + turned * np.linspace(0.0, 1.0, len(heading))
     swings = route.maneuver in _LEAVES or np.abs(heading - even).max() > _SWINGS  # a fast ego changes lanes slantingly
-    if route.junction is None and route.place is not Place.CURVE and swings:
-        over = moved_over(route.line)
+    along = route.place is not Place.CURVE or route.site is Site.PAST_BEND
+    if route.junction is None and along and swings:
+        over = moved_over(route)
         if over.max() > 1.5 and abs(over[-1]) < 1.0:
             return Maneuver.BYPASS
         if abs(over[-1]) > 1.5:

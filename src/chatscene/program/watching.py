@@ -8,6 +8,7 @@ from functools import cached_property, lru_cache
 
 import numpy as np
 
+from chatscene.maps.sites import BEFORE_SWERVE
 from chatscene.simulate.native.lines import follow
 from chatscene.terms.arrays import Array, fixed
 from chatscene.terms.conclusions import LANE_CHANGES
@@ -207,11 +208,17 @@ def headings(line: Polyline) -> Array:
 
 
 @lru_cache(maxsize=64)
-def moved_over(line: Polyline) -> Array:
-    """(N - 1,) [m], how far a line is to the left of one that bends evenly from its first to its last direction."""
+def moved_over(route: Route) -> Array:
+    """(N - 1,) [m], how far a route is to the left of a line that bends evenly from its first to its last direction.
+
+    Past a bend it is that line until it is straight again.
+    """
+    line = route.line
     heading = headings(line)
     along = np.hypot(*np.diff(line.points, axis=0).T)
     even = heading[0] + (heading[-1] - heading[0]) * np.cumsum(along) / along.sum()
+    if route.site is Site.PAST_BEND:
+        even = np.where(np.cumsum(along) < (1.0 - BEFORE_SWERVE) * route.event_at, heading, heading[-1])
     return fixed(np.cumsum(np.sin(heading - even) * along))
 
 
@@ -219,7 +226,7 @@ def _left_by_route(route: Route, at: Array) -> Array:
     """How far [m] to the left a route has left its first lane at arc lengths, if it leaves it at all."""
     if route.maneuver not in (*LANE_CHANGES, Maneuver.BYPASS):
         return np.zeros_like(at)
-    over = moved_over(route.line)
+    over = moved_over(route)
     return np.interp(at, np.linspace(0.0, route.length, len(over)), over)
 
 

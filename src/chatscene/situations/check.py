@@ -253,7 +253,7 @@ def _of_road(situation: Situation) -> Iterator[Fault]:
         yield Fault(("road", "ego_light"), f"there is no light with road.control: {road.control}")
     if road.lanes is not None and road.lanes < 1:
         yield Fault(("road", "lanes"), "a road has at least one lane")
-    if road.ego_lane is not None and not 1 <= road.ego_lane <= (road.lanes or road.ego_lane):
-        yield Fault(
-            ("road", "ego_lane"), f"it is {road.ego_lane}, and the road has {road.lanes} lanes; 1 is the outermost"
-        )
+    if road.ego_lane is not None and not 1 <= abs(road.ego_lane) <= (road.lanes or abs(road.ego_lane)):
+        lanes = "any number of" if road.lanes is None else road.lanes
+        told = f"it is {road.ego_lane}, and the road has {lanes} lanes; 1 is the outermost, -1 the innermost"
+        yield Fault(("road", "ego_lane"), told)

@@ -117,6 +117,7 @@ ROUTES: Mapping[EgoRoute, Way] = {
     EgoRoute.LEAVE_PARKING: Way(does="[leave/leaves/leaving] a parking place"),
     EgoRoute.PARK: Way(does="[park/parks/parking]"),
     EgoRoute.ENTER_DRIVEWAY: Way(does="[turn/turns/turning] into a driveway"),
+    EgoRoute.ENTER_DRIVEWAY_ACROSS: Way(does="[turn/turns/turning] across the road into a driveway"),
     EgoRoute.LEAVE_DRIVEWAY: Way(does="[come/comes/coming] out of a driveway"),
 }
 

@@ -171,7 +171,9 @@ class _Telling(Named):
             lanes = Words(f"there {'is' if road.lanes == 1 else 'are'} ") + Words(many).tells("road.lanes")
             lanes += f" in {self._me.own} direction"
         if road.ego_lane is not None:
-            which = "outermost lane" if road.ego_lane == 1 else f"{ordinal(road.ego_lane - 1)} lane from the outside"
+            end = "out" if road.ego_lane > 0 else "in"
+            rank = abs(road.ego_lane) - 1
+            which = f"{ordinal(rank)} lane from the {end}side" if rank else f"{end}{'n' * (end == 'in')}ermost lane"
             lane = self._filled(f"{self._me.does} {_IS} in the ", self._my_form) + Words(which).tells("road.ego_lane")
         return sentence(joined(filter(None, (lanes, lane)), last=", and "))
 

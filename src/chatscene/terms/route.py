@@ -18,6 +18,7 @@ class Beside(StrEnum):
 
     KERB = "kerb"
     DRIVEWAY = "driveway"
+    DRIVEWAY_ACROSS = "driveway-across"
     BACK = "back"
     BACKWARDS = "backwards"
     BACK_FROM_DRIVEWAY = "back-from-driveway"
@@ -55,13 +56,14 @@ class RouteQuery:
         site: What it leads along or through. At ramps, lane drops and where traffic weaves, a lane change is the one
             that is driven for there, and straight on stays in the lane. A roundabout is turned right, left or
             straight through, as seen from its entry.
-        lane: Which lane of its direction it starts in, 1 for the outermost, and on open road still is where its
-            manoeuvre begins.
+        lane: Which lane of its direction it starts in, 1 for the outermost and -1 for the innermost, and on open road
+            still is where its manoeuvre begins.
         approach: How far [m] it leads up to where its manoeuvre begins, on open road as far beyond; None for as far as
             is usual there.
         begins: Where it begins beside its lane: at the ``kerb`` or in a ``driveway`` on its right. One that is driven
             backwards leads along its lane against that, or out of a driveway or a bay and then against its lane.
-        ends: Where it ends beside its lane: at the kerb, in a driveway, or ``back`` in a lane of the other direction.
+        ends: Where it ends beside its lane: at the kerb, in a driveway, in one across the
+            lanes of the other direction, or ``back`` in a lane of the other direction.
         setting: What lies about the road that it begins on; None for anything.
         divided: Whether no lane of the other direction may lie beside any of the ego's direction.
         has: What its roads have. Ways of a car park are found only for those who ask for bays.

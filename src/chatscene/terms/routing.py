@@ -24,6 +24,7 @@ MANEUVERS: dict[EgoRoute | None, Maneuver] = {
     EgoRoute.LEAVE_DRIVEWAY: Maneuver.STRAIGHT,
     EgoRoute.PARK: Maneuver.STRAIGHT,
     EgoRoute.ENTER_DRIVEWAY: Maneuver.STRAIGHT,
+    EgoRoute.ENTER_DRIVEWAY_ACROSS: Maneuver.STRAIGHT,
     EgoRoute.U_TURN: Maneuver.STRAIGHT,
     EgoRoute.REVERSE: Maneuver.STRAIGHT,
 }
@@ -33,6 +34,7 @@ BEGINS: dict[EgoRoute | None, Beside] = {EgoRoute.LEAVE_PARKING: Beside.KERB, Eg
 ENDS: dict[EgoRoute | None, Beside] = {
     EgoRoute.PARK: Beside.KERB,
     EgoRoute.ENTER_DRIVEWAY: Beside.DRIVEWAY,
+    EgoRoute.ENTER_DRIVEWAY_ACROSS: Beside.DRIVEWAY_ACROSS,
     EgoRoute.U_TURN: Beside.BACK,
 }
 """Where the ego's way begins or ends beside its lane."""

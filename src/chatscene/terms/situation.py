@@ -239,7 +239,7 @@ class Road(_Closed):
         control: What rules the ego's way.
         ego_light: The traffic light that the ego has.
         lanes: How many lanes go the ego's way.
-        ego_lane: Which of them the ego is in, from the outermost, which is 1.
+        ego_lane: Which of them the ego is in, from the outermost, 1, or the innermost, -1.
         two_way: Whether a lane the other way lies beside them.
         speed_limit: The speed limit.
         radius: Of its bend.

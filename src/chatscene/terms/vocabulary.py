@@ -94,6 +94,7 @@ class EgoRoute(Word):
     LEAVE_PARKING = ("leave-parking", "leaves a parking place")
     PARK = ("park", "drives into a parking place")
     ENTER_DRIVEWAY = ("enter-driveway", "turns off the road into a driveway")
+    ENTER_DRIVEWAY_ACROSS = ("enter-driveway-across", "the same, over the oncoming lane")
     LEAVE_DRIVEWAY = ("leave-driveway", "comes out of a driveway; with reverse, backwards")
 
 
@@ -105,7 +106,7 @@ class RoadKind(Word):
     """What kind of road it is where the danger is."""
 
     ROAD = ("road", "a road between junctions, straight or nearly so")
-    CURVE = ("curve", "a bend to a side not said")
+    CURVE = ("curve", "a bend to a side not said, or just after it")
     LEFT_CURVE = ("left-curve", "a bend to the left")
     RIGHT_CURVE = ("right-curve", "a bend to the right")
     JUNCTION = ("junction", "a junction with any number of arms")
@@ -121,9 +122,9 @@ class RoadKind(Word):
 class Setting(Word):
     """What lies about the road."""
 
-    TOWN = ("town", "houses; a speed limit of about 50 km/h")
+    TOWN = ("town", "houses; about 50 km/h")
     RESIDENTIAL = ("residential", "a quiet street between houses; about 30 km/h")
-    RURAL = ("rural", "fields or woods; a lane each way, no sidewalk, up to about 100 km/h")
+    RURAL = ("rural", "fields or woods; a lane each way, no sidewalk, about 100 km/h")
 
 
 class RightOfWay(Word):

@@ -114,7 +114,7 @@ def routes_for(
         beside: ``left`` or ``right`` if a lane of the ego's direction must lie directly there.
         crossed: From where another vehicle must be able to cross: ``left``, ``right``, ``oncoming``.
         site: A `Site`, or None for any.
-        lane: Which lane of its direction it starts in, 1 for the outermost; None for any.
+        lane: Which lane of its direction it starts in, 1 for the outermost, -1 for the innermost; None for any.
         approach: How far [m] it leads up to its manoeuvre; None for as far as is usual.
         begins: Where it begins beside its lane: a `Beside`, or None.
         ends: Where it ends beside its lane: a `Beside`, or None.
