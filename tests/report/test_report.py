@@ -224,7 +224,22 @@ def test_the_selected_scenes_come_first(tmp_path: Path) -> None:
     run = finished(tmp_path / "run")
     order = viewer.ranked(read_scenes(run))
     assert [row["selected"] for row in order[:3]] == [True, True, False]
-    assert [row["collision"] for row in order] == sorted((row["collision"] for row in order), reverse=True)
+    kept = [(len(row["meaning_failures"]), not row["collision"]) for row in order if row["selected"]]
+    assert kept == sorted(kept)
+
+
+def test_a_scene_that_shows_more_comes_before_one_that_collides() -> None:
+    rows = [
+        {"scene_id": name, "status": "ran", "selected": True, "collision": hit, "meaning_failures": missing}
+        | {"overall_score": score}
+        for name, hit, missing, score in (
+            ("a", True, ["others.A.does.0.act: said stop, but it never does"], 0.1),
+            ("b", False, [], 0.9),
+            ("c", True, [], 0.8),
+            ("d", False, ["one", "two"], 0.2),
+        )
+    ]
+    assert [row["scene_id"] for row in viewer.ranked(rows)] == ["c", "b", "a", "d"]
 
 
 def test_an_unfinished_run_has_a_page_of_what_was_done(tmp_path: Path) -> None:

@@ -22,7 +22,7 @@ from chatscene.terms.pace import NOMINAL
 from chatscene.terms.seeing import SHARE_LOST
 from chatscene.terms.situation import EGO, Deed, Other, Situation
 from chatscene.terms.surroundings import FOLLOWS, Surface, Surroundings
-from chatscene.terms.vocabulary import PLAIN, SLOWS, Act, EgoRoute, Heads, Role, Tempo, Where, acts_of
+from chatscene.terms.vocabulary import PLAIN, SIDEWAYS, SLOWS, Act, EgoRoute, Heads, Role, Tempo, Where, acts_of
 
 PASSES = 1.5  # [m/s] that somebody is faster at least than whom it passes
 GAINS = (3.0, 5.5)  # [m/s] by which it is, where that was not said, so that it is past before the road ends
@@ -81,6 +81,12 @@ def goes_with(one: Other) -> bool:
     return keeps and one.starts.where in ALONG and one.kind.moves is not Moves.WALKS
 
 
+def _comes_from_beside(one: Other) -> bool:
+    """Whether somebody who drives level with the ego comes over: until then it is to stay level."""
+    comes = any(deed.act in SIDEWAYS and deed.done_to == EGO for deed in one.does)
+    return comes and one.starts.where is Where.BESIDE and one.kind.moves is not Moves.WALKS
+
+
 def _holds(situation: Situation, one: Other) -> float:
     """The most [m/s] that somebody who drives holds."""
     return Body(situation.row_of(one).limits, walks=False).fastest
@@ -99,9 +105,14 @@ def _than_ego(one: Other) -> bool:
 
 
 def speed_kept_up(situation: Situation) -> float:
-    """The most [m/s] at which all go who are to keep to the ego, or come along behind it: as they hold, or as said."""
-    held = (_holds(situation, one) for one in situation.others if goes_with(one))
-    return min((*held, *map(_said_behind, situation.others)), default=math.inf)
+    """The most [m/s] at which all go who are to keep to the ego, or to be level with it when they come over.
+
+    Or come along behind it. It is what they hold, or what was said of them.
+    """
+    held = (_holds(situation, one) for one in situation.others if goes_with(one) or _comes_from_beside(one))
+    level = (said_speed(one, 0.0) for one in situation.others if _comes_from_beside(one) and not _than_ego(one))
+    said = (speed for speed in level if speed)
+    return min((*held, *said, *map(_said_behind, situation.others)), default=math.inf)
 
 
 def slows_on_its_way(situation: Situation) -> bool:

@@ -126,6 +126,28 @@ class _Judge:
         return self.episode.collision.step if self.episode.collision is not None and not self.through else None
 
     def findings(self) -> Iterator[Finding]:
+        """What is shown; where the ego had gone by, what was said to come of a deed does not come of it."""
+        found = tuple(self._findings())
+        late = {one.path.rpartition(".")[2] for one in found if one.late is not None}
+        for one in found:
+            if late and one.shown and (whom := self._comes_of(one.path)) in late:
+                yield replace(one, shown=False, told=f"{one.told}, but the ego had gone by {whom}")
+            else:
+                yield one
+
+    def _comes_of(self, path: str) -> str | None:
+        """For whom the ego does something, or whom it is not to touch; None for any other fact."""
+        contact = self.situation.contact
+        if path == "contact.happens" and contact is not None and not contact.happens:
+            return contact.whom or self.situation.adversaries[0].id
+        ego, _, deed = path.partition(".does.")
+        number, _, fact = deed.partition(".")
+        if ego != EGO or fact != "act":
+            return None
+        when = self.situation.ego.does[int(number)].when
+        return None if when is None or when.after is None else when.after.partition(".")[0]
+
+    def _findings(self) -> Iterator[Finding]:
         until = None if self.contact is None else self.contact + 1
         yield from of_road(self.situation, self.episode, self.route, until)
         ego = self.situation.ego

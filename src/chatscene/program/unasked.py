@@ -53,6 +53,8 @@ GOES_BACK = acts_of(Tempo.BACKS, Tempo.WAITS, Heads.BACK, Heads.ROUND, Heads.EDG
 """What may be done by going back."""
 ALONG = (IN_LANE | SIDEWAYS | acts_of(Heads.BY, Heads.BEHIND, Heads.CLOSE)) - acts_of(Tempo.STANDS)
 """What is done by who goes on along the road."""
+RAMPS = frozenset((Where.ON_RAMP, Where.OFF_RAMP))
+"""Places whose own way leads over to the ego's road, or off it."""
 STAYS_BEHIND = acts_of(Heads.BEHIND, Heads.CLOSE)
 """What is done by who follows another."""
 KEEPS_TO = STAYS_BEHIND | acts_of(Heads.LEVEL)
@@ -174,7 +176,8 @@ def _in_its_lane(situation: Situation, one: Other, seen: Seen, route: Route) -> 
     contact = situation.contact
     missed = one.role is Role.SUPPORTING or (contact is not None and not contact.happens)
     goes_by = missed and one.starts.where is Where.ONCOMING_IN_OUR_LANE  # which it cannot do on its line
-    if even and not goes_by and not one.starts.where.row.junction:
+    leads_over = one.starts.where.row.junction or one.starts.where in RAMPS
+    if even and not goes_by and not leads_over:
         aside = np.abs(seen.aside - seen.aside[0])  # of the lanes: an ego that changes lanes moves its own way over
         inside = (seen.at > 0.0) & (seen.at < route.length)
         least = LEFT_LINE if contact is None else LEFT_LANE

@@ -79,11 +79,11 @@ def write_report(folder: Path, *, followed: bool = False) -> Path:
     return path
 
 
-_RANKED_BY = ("scene_id", "status", "selected", "collision", "meaning_ok", "overall_score")
+_RANKED_BY = ("scene_id", "status", "selected", "collision", "meaning_failures", "overall_score")
 
 
 def ranked(scenes: Sequence[Mapping[str, Any]]) -> list[Mapping[str, Any]]:
-    """The driven scenes: selected ones first, then collisions, then what means what was said, then by score."""
+    """The driven scenes: selected ones first, then what shows most of what was said, then collisions, then by score."""
     return sorted((row for row in scenes if row["status"] == "ran"), key=_rank)
 
 
@@ -96,9 +96,9 @@ def best(run: Workspace) -> Mapping[str, Any] | None:
     return None if first is None else read_scenes(run, ids=[first["scene_id"]])[0]
 
 
-def _rank(row: Mapping[str, Any]) -> tuple[bool, bool, bool, float, str]:
+def _rank(row: Mapping[str, Any]) -> tuple[bool, int, bool, float, str]:
     score = row["overall_score"]
-    unlike = (not row["selected"], not row["collision"], not row["meaning_ok"])
+    unlike = (not row["selected"], len(row["meaning_failures"] or ()), not row["collision"])
     return *unlike, 1.0 if score is None else score, row["scene_id"]
 
 
