@@ -16,7 +16,7 @@ import stat
 import tempfile
 import warnings
 from collections.abc import Callable, Iterator, Sequence
-from ctypes import POINTER, Structure, addressof, c_char, c_double, c_float, c_int32, c_int64, c_uint64, c_void_p
+from ctypes import POINTER, Structure, c_double, c_float, c_int32, c_int64, c_uint64, c_void_p
 from functools import lru_cache
 from itertools import repeat
 from pathlib import Path
@@ -42,12 +42,9 @@ Array = NDArray[np.float64]
 
 
 def _at(array: Any) -> int:
-    """Where the numbers of an array are in memory: `array.ctypes.data`, which takes as long as a short call."""
-    try:
-        return addressof(c_char.from_buffer(array))
-    except (TypeError, ValueError):  # it is not to be written to, or empty
-        found: int = array.ctypes.data
-        return found
+    """Where the numbers of an array are in memory; a sandbox allows nobody to ask `ctypes` for it."""
+    found: int = array.ctypes.data
+    return found
 
 
 class Line(Structure):
