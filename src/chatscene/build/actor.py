@@ -18,7 +18,7 @@ from chatscene.build.heeding import heeds
 from chatscene.build.lateral import placed
 from chatscene.build.ledger import Ledger
 from chatscene.build.naming import name_of
-from chatscene.build.numbers import PACES, Numbers, stronger
+from chatscene.build.numbers import PACES, Numbers, rigid, stronger
 from chatscene.build.paces import AT_ONE_SPEED, check_held
 from chatscene.build.phases import Phases
 from chatscene.build.place import AT_CROSSWALKS, LANE, NEXT_LANE, Found, at_roundabout, lacks_at
@@ -121,6 +121,8 @@ class Actor:
             self.ledger.assume(f"{self.one.id} is built as {built}, since its exact kind is not stated")
         if faster := stronger(self.one.id, self.one.kind, self.numbers.row):
             self.ledger.assume(faster)
+        if self.numbers.row.tows:
+            self.ledger.assume(rigid(self.one.id, self.numbers.row))
         if self.one.count == SEVERAL:
             self.ledger.assume(f"there are {SOME} of {self.one.id}, since their number is not stated")
 

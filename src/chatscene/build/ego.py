@@ -11,7 +11,7 @@ from chatscene.build.asked import FROM_A_STAND
 from chatscene.build.awaiting import awaited, waiting
 from chatscene.build.coming import Coming, coming, keeps_limits, wanted_by
 from chatscene.build.ledger import Ledger
-from chatscene.build.numbers import FIRM, strong, stronger
+from chatscene.build.numbers import FIRM, rigid, strong, stronger
 from chatscene.build.own import FIRST, KEEPS, LATER, Drives, fastest, is_own, own_orders
 from chatscene.build.own_speeds import at_own_speeds
 from chatscene.build.place import GOES_OVER, NEXT_LANE, Found, at_junction, changed_at, merged_at
@@ -108,6 +108,8 @@ def ego_of(ledger: Ledger, found: Found, at_most: float = NOMINAL.speed) -> Buil
         ledger.take("ego.speed")
     if told := stronger("the ego", ego.kind or UserKind.CAR, ego.row):
         ledger.assume(told)
+    if ego.row.tows:
+        ledger.assume(rigid("the ego", ego.row))
     ledger.take("ego.kind")
     keeps = keeps_limits(situation)
     beside = Ledger(at_own_speeds(situation, speed))

@@ -63,6 +63,11 @@ def strong(row: RoadUser) -> str:
     return f", with topSpeed {row.limits.top_speed:.4g}" if row.limits.most else ""
 
 
+def rigid(who: str, row: RoadUser) -> str:
+    """What is told of two that are coupled."""
+    return f"{who} and what it tows are built as one rigid body, {row.limits.length:g} m long"
+
+
 def stronger(who: str, kind: UserKind, row: RoadUser) -> str:
     """What is told of one that is, with what a common one holds; empty of any other."""
     if not row.limits.most:

@@ -28,7 +28,9 @@ def nouns_of(kind: UserKind) -> frozenset[str]:
     listed = [told.one, told.many, kind.value.replace("-", " "), *_PARTED.split(kind.meaning)]
     if not (kind.row.general or kind.row.prop):
         listed += _PARTED.split(kind.row.body.row.nouns.replace("\n", "|"))
-    bare = (_BEHIND.sub("", _BEFORE.sub("", one.strip().lower())) for one in listed)
+    bare = (_BEFORE.sub("", one.strip().lower()) for one in listed)
+    if not kind.row.body.row.tows:  # of which what it has behind it says what it is
+        bare = (_BEHIND.sub("", one) for one in bare)
     return frozenset(one for one in bare if one) - (_ANYBODY if kind is not UserKind.CHILD else frozenset())
 
 

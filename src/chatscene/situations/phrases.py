@@ -240,6 +240,8 @@ _KINDS: Mapping[UserKind, Noun] = {
     UserKind.PEDESTRIAN: Noun(one="a pedestrian", many="pedestrians", goes=_WALKS, somebody=True),
     UserKind.CHILD: Noun(one="a child", many="children", goes=_WALKS, somebody=True),
     UserKind.WHEELCHAIR: Noun(one="a wheelchair user", many="wheelchair users", goes=_MOVES, somebody=True),
+    UserKind.CAR_AND_TRAILER: Noun(one="a car with a trailer", many="cars with trailers", goes=_DRIVES),
+    UserKind.TRACTOR_AND_TRAILER: Noun(one="a tractor with a trailer", many="tractors with trailers", goes=_DRIVES),
     UserKind.PRAM: Noun(one="a pram", many="prams", goes=_MOVES),
     UserKind.HORSE_RIDER: Noun(one="a horse rider", many="horse riders", goes=_RIDES, somebody=True),
     UserKind.SHEEP: Noun(one="a sheep", many="sheep", goes=_WALKS),

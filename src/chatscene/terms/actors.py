@@ -120,6 +120,7 @@ class RoadUser:
         driven: Speed [m/s] at which it is driven at most, however fast the road is: lorries and buses outside towns by
             StVO § 3 (3) 2 and § 18 (5), and in most of Europe; a tram among others on the road keeps to what holds for
             them; tractors are built for 40 km/h at most (Regulation (EU) 167/2013, class T1).
+        tows: Whether it is two bodies that are coupled, which are built as one rigid body.
         most: Speed [m/s] that a strong one of the kind is driven at, if a common one does not hold as much; else 0.
     """
 
@@ -141,6 +142,7 @@ class RoadUser:
     slow: float = 4.0
     fast: float = 11.0
     driven: float = math.inf
+    tows: bool = False
     most: float = 0.0
 
     def __post_init__(self) -> None:
@@ -270,8 +272,8 @@ class AdversaryKind(StrEnum):
             commonroad="truck",
             osi="HEAVY_TRUCK",
             nouns="""
-                truck | lorry | HGV | semi-trailer truck | tractor-trailer | delivery truck | dump truck | box truck
-                articulated lorry | tipper truck | garbage truck | refuse lorry | heavy goods vehicle
+                truck | lorry | HGV | delivery truck | dump truck | box truck
+                tipper truck | garbage truck | refuse lorry | heavy goods vehicle
                 flatbed truck | tanker truck | removal lorry
             """,
         ),
@@ -305,7 +307,7 @@ class AdversaryKind(StrEnum):
             commonroad="bus",
             osi="BUS",
             nouns="""
-                bus | city bus | coach | school bus | double-decker bus | tour bus | articulated bus | shuttle bus
+                bus | city bus | coach | school bus | double-decker bus | tour bus | shuttle bus
                 night bus | tourist coach | commuter bus
             """,
         ),
@@ -776,6 +778,59 @@ class AdversaryKind(StrEnum):
         motorised=False,
         slow=1.4,
         fast=3.5,
+    )
+
+    # Those that tow are one rigid body here, as long as the two. Lengths as Directive 96/53/EC allows them, and as
+    # common for caravans and farm trailers; speeds of cars that tow by StVO § 18 (5). They turn about as tight as such
+    # a pair.
+    SEMI_TRAILER = _like(
+        TRUCK,
+        "semi-trailer",
+        {"length": 16.5, "width": 2.55, "wheelbase": 7.0, "wheel_angle": 0.95, "throttle": 1.4, "brake": 5.5}
+        | {"top_speed": fading(90 / 3.6, 1.4), "lateral": 3.5},
+        scenic="SemiTrailer",
+        blueprint="vehicle.carlamotors.european_hgv",
+        mass=30000.0,
+        height=4.0,
+        tows=True,
+        nouns="""
+            articulated lorry | semi-trailer truck | semi-trailer | semi | tractor-trailer | articulated truck | artic
+            lorry with a trailer | truck with a trailer | road train | big rig | eighteen-wheeler | juggernaut
+        """,
+    )
+    ARTICULATED_BUS = _like(
+        BUS,
+        "articulated-bus",
+        {"length": 18.0, "width": 2.55, "wheelbase": 7.0, "wheel_angle": 0.95, "throttle": 1.4, "brake": 5.0},
+        scenic="ArticulatedBus",
+        mass=19000.0,
+        tows=True,
+        nouns="articulated bus | bendy bus | accordion bus",
+    )
+    CAR_AND_TRAILER = _like(
+        CAR,
+        "car-and-trailer",
+        {"length": 11.5, "width": 2.3, "wheelbase": 5.0, "throttle": 2.8, "brake": 6.5, "lateral": 4.0}
+        | {"top_speed": fading(110 / 3.6, 2.8)},
+        scenic="CarAndTrailer",
+        most=140 / 3.6,
+        driven=80 / 3.6,
+        mass=3000.0,
+        height=2.6,
+        tows=True,
+        nouns="""
+            car with a trailer | car with a caravan | caravan | car and caravan | car towing a boat | boat trailer
+            pickup with a trailer | horse trailer | horse box | cattle trailer rig
+        """,
+    )
+    TRACTOR_AND_TRAILER = _like(
+        TRACTOR,
+        "tractor-and-trailer",
+        {"length": 12.2, "width": 2.55, "wheelbase": 5.0, "throttle": 1.0, "brake": 4.0},
+        scenic="TractorAndTrailer",
+        mass=14000.0,
+        tows=True,
+        nouns="tractor with a trailer | tractor and trailer | tractor with a slurry tanker | tractor with a hay wagon",
     )
     PRAM = _like(
         PEDESTRIAN,

@@ -213,11 +213,19 @@ class UserKind(RowWord):
 
     CAR = ("car", "a passenger car, an SUV, a taxi", _is(AdversaryKind.CAR))
     VAN = ("van", "a van, a camper", _is(AdversaryKind.VAN))
-    TRUCK = ("truck", "a lorry of any size, with or without a trailer", _is(AdversaryKind.TRUCK))
+    TRUCK = ("truck", "a lorry of any size, without a trailer", _is(AdversaryKind.TRUCK))
+    SEMI_TRAILER = ("semi-trailer", "an articulated lorry, a lorry with a trailer", _is(AdversaryKind.SEMI_TRAILER))
     BUS = ("bus", "a bus or a coach", _is(AdversaryKind.BUS))
+    ARTICULATED_BUS = _as_body(AdversaryKind.ARTICULATED_BUS)
     PICKUP = _as_body(AdversaryKind.PICKUP)
+    CAR_AND_TRAILER = (
+        "car-and-trailer",
+        "a caravan, a car with a trailer",
+        _is(AdversaryKind.CAR_AND_TRAILER),
+    )
     MINIBUS = ("minibus", "a minibus, a matatu, a jeepney", _is(AdversaryKind.MINIBUS))
     TRACTOR = ("tractor", "a tractor of a farm", _is(AdversaryKind.TRACTOR))
+    TRACTOR_AND_TRAILER = _as_body(AdversaryKind.TRACTOR_AND_TRAILER)
     HARVESTER = ("harvester", "a combine, another wide machine", _is(AdversaryKind.HARVESTER))
     CART = ("cart", "a cart, a carriage that an animal draws", _is(AdversaryKind.CART))
     TRAM = _as_body(AdversaryKind.TRAM)

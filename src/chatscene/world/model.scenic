@@ -173,6 +173,18 @@ class Harvester(Car):
 class Cart(Car):
     kind: 'Cart'
 
+class SemiTrailer(Car):
+    kind: 'SemiTrailer'
+
+class ArticulatedBus(Car):
+    kind: 'ArticulatedBus'
+
+class CarAndTrailer(Car):
+    kind: 'CarAndTrailer'
+
+class TractorAndTrailer(Car):
+    kind: 'TractorAndTrailer'
+
 class Pram(Pedestrian):
     kind: 'Pram'
 
