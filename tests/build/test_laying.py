@@ -178,3 +178,23 @@ def test_an_ego_turns_into_a_driveway_across_the_lane_of_those_who_come() -> Non
     x, y = route.line.points[-1].tolist()
     lane = centre_line(network.elements[route.lane_ids[0]])
     assert lane.project(x, y)[1] > 1.75 + 3.5 + 5.0
+
+
+@pytest.mark.parametrize(("act", "side"), [("turn-left", "left"), ("turn-right", "right")])
+@pytest.mark.parametrize("before", [[], ["stand"], ["go-along"]])
+def test_who_is_ahead_and_turns_off_between_junctions_does_so_at_a_driveway(
+    act: str, side: str, before: list[str]
+) -> None:
+    does = [{"act": one} for one in (*before, act)]
+    turns = {"id": "A", "kind": "car", "starts": {"where": "ahead"}, "does": does}
+    built = build(from_plain({"others": [turns], "road": {"kind": "road"}}))
+    assert f"driveway={side}" in built.map
+    assert built.lacking == ()
+    place = "egoRoute.eventAt - 6 + " if before == ["stand"] else "> egoRoute.eventAt + -4.5"
+    assert place in built.program.source
+
+
+def test_rails_are_laid_where_a_road_is_laid_for_something_else() -> None:
+    built = made("driveway", "enter", road={"has": ["tram-track"]})
+    assert ",tram,driveway=right" in built.map
+    assert "has=('tram-track',)" in built.program.source

@@ -35,6 +35,7 @@ EVERY = (
     "road:1+1,cycle-lane,crosswalk",
     "road:2+1,bus-lane",
     "road:2+1,cycle-lane,ridden,crosswalk",
+    "road:1+1,tram,driveway=left",
     "road:2+1,cycle-lane,ridden,junction=four,signs=signal",
 )
 STRAIGHT = RouteQuery(maneuver=Maneuver.STRAIGHT, place=Place.ROAD)

@@ -21,12 +21,12 @@ from chatscene.build.place import (
     Found,
     beside_lane,
     from_left,
-    hooks_off,
     in_bus_lane,
     in_cycle_lane,
     only_others_stop,
     only_side_signs,
     room_against,
+    turns_in,
 )
 from chatscene.build.queries import queries_for
 from chatscene.build.screening import from_its_lane, side_hidden
@@ -479,7 +479,7 @@ def _lack_own_lane(ledger: Ledger, found: Found) -> None:
 def _lack_signs_and_ways(ledger: Ledger, found: Found) -> None:
     """Which signs the roads of others lack, and which way off the road."""
     situation = ledger.situation
-    if any(found.query.get("site") != DRIVEWAYS[side] for side in hooks_off(situation)):
+    if any(found.query.get("site") != DRIVEWAYS[side] for side in turns_in(situation)):
         ledger.lack("the road has no driveway to turn into, since no suitable one has")
     signed = found.laid is not None and found.laid.signs in (Signs.SIDE_STOP, Signs.SIDE_YIELD)
     if only_others_stop(situation) and not signed:

@@ -1,40 +1,39 @@
-"""Who passes the ego and turns off across its way: it has passed by the junction, or the driveway, and turns there."""
+"""Who has passed the ego, or is ahead of it, and turns off: it comes to the junction, or the driveway, and turns."""
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from chatscene.build.asked import Meets
+from chatscene.build.asked import Meets, stands_first
 from chatscene.build.coming import wanted_by
-from chatscene.build.deeds import EASES, OFF
+from chatscene.build.deeds import EASES
 from chatscene.build.gaps import seconds_to_get_by
-from chatscene.build.place import DRIVEWAYS, at_junction
+from chatscene.build.place import DRIVEWAYS, at_junction, hooks_off, turns_in_ahead
 from chatscene.build.sideways import USUAL
 from chatscene.maps.open_road import OPEN_ROAD
 from chatscene.maps.routes import APPROACHES
 from chatscene.maps.sites import PAST
-from chatscene.terms.situation import EGO
-from chatscene.terms.vocabulary import Act
 
 if TYPE_CHECKING:
     from chatscene.build.actor import Actor
 
+STEADY = 1.0  # [s] that who is ahead is seen to go along, before it slows down
 SLOWED = 0.7  # of what it wants, below which an ego is told to be slower
 NEARLY = 0.9  # of the road that it needs, from which on it is told to turn at its place
 
 
 def hooks_at(actor: Actor) -> int | None:
-    """The number of the deed by which somebody turns off just after it passed the ego, where the road has a place.
+    """The number of the deed by which somebody on its way before the ego turns off, where the road has a place for it.
 
     None of who does not, and where it turns off over the edge of the road.
     """
     deeds, there = actor.deeds, at_junction(actor.ledger.situation) or _at_driveway(actor)
     if not there or actor.stand.meets is not Meets.ALONG or actor.walks or actor.stand.rolls:
         return None
-    turns = (k for k in range(1, len(deeds)) if deeds[k].act in OFF and deeds[k].when is None)
-    k = next(turns, None)
-    passes = k is not None and deeds[k - 1].act is Act.OVERTAKE and deeds[k - 1].done_to == EGO
-    return k if passes else None
+    one, junction = actor.one, at_junction(actor.ledger.situation)
+    ahead = not junction and not stands_first(one)
+    turns = (k for k in range(len(deeds)) if hooks_off(one, k) or (ahead and turns_in_ahead(one, k)))
+    return next(turns, None)
 
 
 def _at_driveway(actor: Actor) -> bool:
@@ -46,10 +45,17 @@ def road_to_turn(actor: Actor) -> float:
     k = hooks_at(actor)
     assert k is not None
     numbers, fast = actor.numbers, f"FAST_{k - 1}"
+    if not hooks_off(actor.one, k):
+        return numbers.range_of("Y")[1] + _slows(actor, actor.along_speed) + STEADY * actor.ego_speed
     passes = seconds_to_get_by(actor, k - 1)
     ahead = numbers.middle("AHEAD") + 0.5 * (actor.limits.length + actor.ego_limits.length)
-    slows = (numbers.middle(fast) ** 2 - numbers.middle("SLOW") ** 2) / (2.0 * EASES * actor.limits.brake)
+    slows = _slows(actor, numbers.middle(fast))
     return actor.ego_speed * passes + ahead + USUAL * numbers.middle(fast) + slows
+
+
+def _slows(actor: Actor, speed: float) -> float:
+    """How far [m] somebody goes who slows down from a speed [m/s] to that of its turn."""
+    return (speed**2 - actor.numbers.middle("SLOW") ** 2) / (2.0 * EASES * actor.limits.brake)
 
 
 def take_road_to_turn(actor: Actor) -> None:

@@ -14,11 +14,11 @@ from chatscene.build.place import (
     NEXT_LANE,
     at_junction,
     at_roundabout,
-    hooks_off,
     in_bus_lane,
     in_cycle_lane,
     only_side_signs,
     rides_at_edge,
+    turns_in,
 )
 from chatscene.errors import MapError
 from chatscene.maps.laid import LENGTH, LONGEST, Along, Bend, LaidRoad, Meets, Sides, Signs
@@ -44,7 +44,7 @@ HARD_SHOULDER = 3.0  # [m]
 BENDS_AT = 2.5  # [m/s²] across, that a bend takes whose radius was not said
 OUTSIDE_TOWN = 60 * KMH  # [m/s], from which on a road of which no setting was said lies outside a town
 _UNLAID_KINDS = frozenset((RoadKind.ROUNDABOUT, RoadKind.RAMP, RoadKind.PARKING_LOT, RoadKind.RAIL_CROSSING))
-_UNLAID = frozenset((Feature.HILL, Feature.ON_RAMP, Feature.OFF_RAMP, Feature.TRAM_TRACK))
+_UNLAID = frozenset((Feature.HILL, Feature.ON_RAMP, Feature.OFF_RAMP))
 _UNLAID_PLACES = frozenset((Where.ON_RAMP, Where.OFF_RAMP))
 _OF_SETTING = {Setting.TOWN: Along.TOWN, Setting.RESIDENTIAL: Along.RESIDENTIAL, Setting.RURAL: Along.RURAL}
 _BESIDE_TOWN = frozenset((Feature.PARKED_CARS, Feature.PARKED_BOTH_SIDES, Feature.PARKING_PLACES, Feature.BUS_STOP))
@@ -96,6 +96,7 @@ def _road_for(situation: Situation, *, rides: bool) -> LaidRoad | None:
             parking=None if drop or bay else _parking(has),
             cycle_lane=Feature.CYCLE_LANE in has,
             ridden=rides,
+            tram=Feature.TRAM_TRACK in has,
             bus_lane=Feature.BUS_LANE in has,
             bend=_bend(situation) if road.kind in _BENDS and junction is None else None,
             crosswalk=not drop and (Feature.CROSSWALK in has or bool(places & AT_CROSSWALKS)),
@@ -186,7 +187,7 @@ def _bend(situation: Situation) -> Bend:
 def _driveway(situation: Situation) -> Sides | None:
     """On which sides driveways lead off the road: where somebody is in one, else where the ego turns off."""
     there = {one.starts.side or Side.RIGHT for one in situation.others if one.starts.where is Where.DRIVEWAY}
-    there |= {*hooks_off(situation)}
+    there |= {*turns_in(situation)}
     if situation.ego.route is EgoRoute.ENTER_DRIVEWAY_ACROSS:
         there.add(Side.LEFT)
     if not there and Feature.DRIVEWAY in situation.road.has:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
-from itertools import pairwise
 from typing import Any
 
 from chatscene.maps.laid import LaidRoad, is_laid, road_of
@@ -103,12 +102,31 @@ def _turns_across(one: Other) -> bool:
     return drives and one.starts.where is Where.ONCOMING and bool(one.does) and one.does[0].act is Act.TURN_LEFT
 
 
-def hooks_off(situation: Situation) -> Iterator[Side]:
-    """To which sides somebody turns off the road just after it passed the ego, where there is no junction."""
-    for one in () if at_junction(situation) or at_roundabout(situation) else situation.others:
-        for before, deed in pairwise(one.does):
-            if before.act is Act.OVERTAKE and before.done_to == EGO and deed.act in WAYS and deed.when is None:
+def turns_in(situation: Situation) -> Iterator[Side]:
+    """To which sides somebody turns off the road where there is no junction, at a place that its way before tells.
+
+    It has just passed the ego, or is ahead of it.
+    """
+    if at_junction(situation) or at_roundabout(situation) or beside_lane(situation):
+        return
+    for one in situation.others:
+        for k, deed in enumerate(one.does):
+            if turns_in_ahead(one, k) or hooks_off(one, k):
                 yield Side.LEFT if deed.act is Act.TURN_LEFT else Side.RIGHT
+
+
+def hooks_off(one: Other, k: int) -> bool:
+    """Whether somebody turns off by its k-th deed just after it passed the ego."""
+    deed, before = one.does[k], one.does[k - 1] if k else None
+    passed = before is not None and before.act is Act.OVERTAKE and before.done_to == EGO
+    return passed and deed.act in WAYS and deed.when is None
+
+
+def turns_in_ahead(one: Other, k: int) -> bool:
+    """Whether somebody in the ego's lane turns off by its k-th deed, before which it stands, or goes along."""
+    first = one.starts.where is Where.AHEAD and one.starts.distance is None
+    waits = all(before.act in (Act.STAND, Act.GO_ALONG, Act.SLOW_DOWN) for before in one.does[:k])
+    return first and waits and one.does[k].act in WAYS and one.does[k].when is None
 
 
 def is_marked(found: Found) -> bool:

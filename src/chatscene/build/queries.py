@@ -21,11 +21,11 @@ from chatscene.build.place import (
     beside_lane,
     beside_ramp,
     control_of,
-    hooks_off,
     in_bus_lane,
     leaves_by_ramp,
     only_others_stop,
     rides_at_edge,
+    turns_in,
 )
 from chatscene.build.relations import AGAINST
 from chatscene.maps.laid import LaidRoad, is_laid, road_of
@@ -174,7 +174,7 @@ def _sites(situation: Situation, sides: dict[str, Side]) -> Iterator[dict[str, A
         return
     out = (one for one in situation.others if one.starts.where is Where.DRIVEWAY)
     yield from ({"site": DRIVEWAYS[one.starts.side or sides.get(one.id, Side.RIGHT)].value} for one in out)
-    yield from ({"site": DRIVEWAYS[side].value} for side in hooks_off(situation))
+    yield from ({"site": DRIVEWAYS[side].value} for side in turns_in(situation))
     if situation.ego.route is EgoRoute.ENTER_DRIVEWAY_ACROSS:
         yield {"site": Site.DRIVEWAY_LEFT.value}
     at_crosswalk = (one.starts.where is Where.CROSSING for one in situation.others)

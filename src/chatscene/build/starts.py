@@ -32,6 +32,7 @@ from chatscene.build.place import (
     has_crosswalks,
     is_marked,
     lane_beside,
+    turns_in_ahead,
 )
 from chatscene.build.relations import falls_behind, goes_with, slows_on_its_way, speed_of
 from chatscene.build.screening import AT_EDGE, IN_SHADOW, from_its_lane, shadowed
@@ -109,9 +110,21 @@ def _ahead(asked: Asked) -> Stand:
     if asked.swings_out:  # who is passed while it goes: it is there when the ego is
         asked.ahead(22, 30)
         return Stand(meets=Meets.ALONG, way=_within("ownLane(egoRoute)", aside), at=f"$Y{asked.more}")
-    # who stands is so far that it has done what it does when the ego is there
-    asked.ahead(38, 56) if asked.stands else asked.headway(*HEADWAY, caught_up=_caught_up(asked))
-    return Stand(meets=Meets.ALONG, way=_within(asked.lane, aside), at=f"$Y{asked.more}", anywhere=asked.stands)
+    at, turns = f"$Y{asked.more}", _turns_in(asked)
+    if turns:
+        asked.reach(*BEFORE_DRIVEWAY, "how far beyond 6 m before the driveway it is")
+        at = f"egoRoute.eventAt - 6 + {at}"
+    elif asked.stands:  # so far that it has done what it does when the ego is there
+        asked.ahead(38, 56)
+    else:
+        asked.headway(*HEADWAY, caught_up=_caught_up(asked))
+    return Stand(meets=Meets.ALONG, way=_within(asked.lane, aside), at=at, anywhere=asked.stands and not turns)
+
+
+def _turns_in(asked: Asked) -> bool:
+    """Whether somebody stands where it then turns into a driveway."""
+    turns = any(turns_in_ahead(asked.one, k) for k in range(len(asked.one.does)))
+    return asked.stands and turns and asked.found.query.get("site") in DRIVEWAYS.values()
 
 
 def _ahead_on_foot(asked: Asked) -> Stand:
@@ -316,6 +329,7 @@ LEVEL_FOR = 2.0  # [s] after which who cannot be as fast as the ego has fallen b
 POINTED = 3.5, 4.5  # [m] behind the junction, of whom a point of the ego's width meets: there it has come about
 ON_CROSSWALK = (0.7, 3.3)  # [m] from where a crosswalk begins
 IN_DRIVEWAY = (1.5, 3.5)  # [m] from where a driveway begins
+BEFORE_DRIVEWAY = (0.0, 2.0)  # [m] from 6 m before one, where who turns into it begins to
 ON_RAILS = (0.6, 0.8)  # [m] from where a track begins
 
 

@@ -108,6 +108,7 @@ class LaidRoad:
         parking: On which sides one parks beside the lanes, all along.
         bus_lane: Whether the outermost lane ahead is for buses.
         cycle_lane: Whether lanes for bicycles lie beside the lanes.
+        tram: Whether rails lie in the innermost lane each way.
         ridden: Whether that ahead is the outermost of the lanes, for an ego that rides in it.
         bend: In its middle.
         crosswalk: Whether one leads across its middle, or across each arm of its junction.
@@ -130,6 +131,7 @@ class LaidRoad:
     bus_lane: bool = False
     cycle_lane: bool = False
     ridden: bool = False
+    tram: bool = False
     bend: Bend | None = None
     crosswalk: bool = False
     bus_bay: bool = False
@@ -161,6 +163,10 @@ class LaidRoad:
             (not SHORTEST <= self.length <= LONGEST, f"it is {SHORTEST} to {LONGEST} m long"),
             (not TIGHTEST <= radius <= FLATTEST, f"a bend has a radius of {TIGHTEST} to {FLATTEST} m"),
             (bool(self.median) and not self.back, "a median lies between two directions"),
+            (
+                self.tram and bool(self.median or not self.back or self.bend),
+                "rails lie in both directions, on a straight",
+            ),
             (bool(self.shoulder) and bool(self.parking or self.cycle_lane), "one strip lies beside the lanes"),
             (self.signs is not None and self.junction is None, "signs stand at a junction"),
             ((self.bus_lane or self.ridden) and self.ahead < 2, "a lane for buses or bicycles lies beside another"),
@@ -220,7 +226,7 @@ _READ: Mapping[str, Callable[[str], Any]] = {
     "length": int,
 }
 """How each word of a name that has a value is read."""
-_PLAIN = {"bus-lane", "cycle-lane", "ridden", "crosswalk", "bus-bay", "drop"}
+_PLAIN = {"bus-lane", "cycle-lane", "ridden", "tram", "crosswalk", "bus-bay", "drop"}
 WORDS = ", ".join((*(f"{word}=…" for word in _READ), *sorted(_PLAIN)))
 
 
@@ -398,6 +404,7 @@ def _street(road: LaidRoad, street: Street, length: float) -> Street:
         allowed=road.speed,
         bays=bays,
         cycle=road.cycle_lane,
+        tram=road.tram,
         bus_lane=road.bus_lane and street.id in (1, 2) and street.lanes > 1,
         ridden=road.ridden and street.id in (1, 2) and street.lanes > 1,
         crosswalks=(Crosswalk(at=middle),) if road.crosswalk and road.junction is None else (),
@@ -469,7 +476,9 @@ def _meeting(road: LaidRoad) -> tuple[Street, ...]:
             end_at=end,
         )
         streets += _parted(main, _street(main, street, length), node, length)
-    side = replace(main, ahead=1, back=1, median=0.0, parking=None, bus_lane=False, cycle_lane=False, ridden=False)
+    side = replace(
+        main, ahead=1, back=1, median=0.0, parking=None, bus_lane=False, cycle_lane=False, ridden=False, tram=False
+    )
     for number in arms:
         far = half if number == 3 else -half
         streets.append(_street(side, Street(id=number, start=node, end=None, lanes=1, end_at=(0.0, far)), length))
