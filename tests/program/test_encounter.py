@@ -168,6 +168,26 @@ def test_who_sets_off_the_other_way_when_the_ego_has_passed_is_too_late_though_i
     assert finding.late.metres < -20.0
 
 
+@pytest.mark.parametrize(("brakes", "timely"), [(20, False), (75, True)])
+def test_who_acts_after_the_ego_steered_acts_after_that_and_the_ego_after_what_it_waits_for(
+    brakes: int, timely: bool
+) -> None:
+    steers = Ego(does=(Deed(act=Act.SWERVE, to=Side.LEFT, when=When(after="B.brake")),))
+    follows = other(Where.BEHIND, Deed(act=Act.BRAKE, when=When(after="ego.swerve")))
+    said = Situation(ego=steers, others=(follows, replace(other(Where.AHEAD, Deed(act=Act.BRAKE)), id="B")))
+    seen = episode(
+        moving(-12.0, 0.0, (brakes, EGO_SPEED, 0.0), (20, 0.0, 0.0), (160 - brakes, 0.0, 0.0), speed=EGO_SPEED)
+    )
+    leads = replace(moving(60.0, 0.0, (40, 8.0, 0.0), (20, 2.0, 0.0), (120, 2.0, 0.0), speed=8.0), actor="B")
+    early = seen.ego_track
+    y = np.interp(np.arange(len(early.x)), (5, 15, 25, 55, 75, 95), (0.0, 1.5, 0.0, 0.0, 2.5, 0.0))
+    seen = replace(seen, tracks=(replace(early, y=y), seen.tracks[1], leads))
+    steered = found("ego.does.0.act", said, seen)
+    assert steered is not None
+    assert (steered.shown, round(steered.at or 0.0, 1)) == (True, 5.8)
+    assert shown("others.adversary.does.0.when.after", said, seen) is timely
+
+
 def test_who_drifts_over_behind_the_ego_meets_it_only_by_coming_nearer() -> None:
     drifts = one(other(Where.BEHIND_BESIDE, Deed(act=Act.DRIFT, to=Side.LEFT), side=Side.RIGHT))
     over = ((20, 1.0, 0.0), (20, 1.0, 10.0), (20, 1.0, 0.0), (120, 1.0, 0.0))

@@ -257,8 +257,11 @@ def _seen(actor: Actor, k: int, name: str, reference: str) -> tuple[str, ...]:
 
 
 def _of_ego(actor: Actor, deed: Deed, *, done: bool) -> tuple[str, ...] | None:
-    """What shows that a deed of the ego is done, or goes on; None where nothing does."""
-    sign = SIGNS.get(deed.act)
+    """What shows, one after the other, that a deed of the ego is done, or goes on; None where nothing does.
+
+    What the ego waits for comes first: it may be aside, or slow, before that.
+    """
+    sign, before = SIGNS.get(deed.act), _ego_waits_for(actor, deed)
     if deed.act in ASIDE:  # of its way, or of its lane if its way leads to another
         changes = deed.act is Act.LANE_CHANGE and actor.ledger.situation.ego.route in CHANGES
         line, over = (OWN, 2) if changes else ("egoRoute", 1)
@@ -266,14 +269,23 @@ def _of_ego(actor: Actor, deed: Deed, *, done: bool) -> tuple[str, ...] | None:
     elif deed.act is Act.OVERTAKE and (passed := _passed_by_ego(actor.ledger.situation, deed)) is not None:
         name = name_of(passed.id)
         by = f"headway(egoRoute, {name}, ego) > {_NEAR.format(who=name)}"
-        return (by if done else f"abs(offsetFrom({OWN}, ego)) > 0.5",)
+        return (*before, by if done else f"abs(offsetFrom({OWN}, ego)) > 0.5")
     elif sign is None or sign.aside:
         return None
     wants = actor.ego_speed
     text = _as_said(sign, deed, wants, done=done).format(
         who=EGO, whom=name_of(deed.whom or EGO), usual=f"{wants:.3g}", k=0
     )
-    return (f"{text} and progressOn(egoRoute, ego)[0] > 1" if deed.act in HALTS else text,)
+    return (*before, f"{text} and progressOn(egoRoute, ego)[0] > 1" if deed.act in HALTS else text)
+
+
+def _ego_waits_for(actor: Actor, deed: Deed) -> tuple[str, ...]:
+    """What shows, one after the other, that the ego has what it waits for with a deed; nothing of others' own deeds."""
+    situation, reference = actor.ledger.situation, None if deed.when is None else deed.when.after
+    who = EGO if reference is None else reference.partition(".")[0]
+    if reference is None or who in (EGO, actor.one.id):
+        return ()
+    return _in_turn(actor, who, situation.number_of(reference), done=True) or ()
 
 
 def gone_through(one: Other, act: Act) -> tuple[str, ...]:

@@ -38,7 +38,7 @@ from chatscene.program.meaning import TOGETHER, in_between, left_of_ego
 from chatscene.program.measured import SLACK, SLACK_LENGTH, SLACK_SPEED, Yardstick, held_at_most
 from chatscene.program.own import of_ego
 from chatscene.program.roads import of_road
-from chatscene.program.said import due, gently, to_side, untold, waits_for_others
+from chatscene.program.said import due, gently, to_side, untold, waits_for_ego, waits_for_others
 from chatscene.program.sequence import Sequence
 from chatscene.program.starting import STARTS, faces
 from chatscene.program.unasked import of_somebody, unasked
@@ -161,9 +161,13 @@ class _Judge:
             rises = self.contact is not None and not held_at_most(speed, self.episode.dt)
             drives = self._until_it_gains(speed)
             yield self.measure.number("ego.speed", ego.speed, drives, SLACK_SPEED, "drives at", most=True, cut=rises)
-        yield from of_ego(self.situation, self.episode, self.route, self.contact)
         done: dict[str, Act] = {}
-        for one in sorted(self.situation.others, key=waits_for_others):  # who is waited for first
+        others = sorted(self.situation.others, key=waits_for_others)  # who is waited for first
+        early, late = ([one for one in others if waits_for_ego(one) is waits] for waits in (False, True))
+        before = [finding for one in early for finding in self._of_other(one, done)]
+        yield from of_ego(self.situation, self.episode, self.route, self.contact, done)
+        yield from before
+        for one in late:
             yield from self._of_other(one, done)
         for path, deed, once, seen in self.waits:  # once it is known when everybody did what
             yield from self.waiting.of(path, deed, once, seen, done)

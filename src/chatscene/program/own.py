@@ -9,9 +9,10 @@ import numpy as np
 
 from chatscene.program.contacts import is_of
 from chatscene.program.deeds import MOVING, STANDING
+from chatscene.program.deeds import Act as Once
 from chatscene.program.doing import DRIFTED, ON_LINE, accelerates
 from chatscene.program.finding import Finding, not_judged
-from chatscene.program.meaning import EGO_STATES
+from chatscene.program.meaning import EGO_STATES, TOGETHER
 from chatscene.program.watching import watch
 from chatscene.terms.arrays import Array
 from chatscene.terms.backing import backs
@@ -19,7 +20,7 @@ from chatscene.terms.changing import changes_later
 from chatscene.terms.episode import Episode, EventKind
 from chatscene.terms.route import Route
 from chatscene.terms.scenario import EgoState
-from chatscene.terms.situation import Deed, Situation
+from chatscene.terms.situation import EGO, Deed, Situation
 from chatscene.terms.vocabulary import CHANGES, Act, Breach, Side
 
 OVER = 5  # [steps] at the end of which an ego that is hit is seen to lose speed
@@ -32,7 +33,9 @@ _ASIDE = {Act.SWERVE: DRIFTED, Act.DRIFT: DRIFTED, Act.LANE_CHANGE: CHANGED, Act
 BROKEN = {Breach.RED_LIGHT: EventKind.RED_LIGHT, Breach.STOP_SIGN: EventKind.STOP_SIGN}
 
 
-def of_ego(situation: Situation, episode: Episode, route: Route, contact: int | None) -> Iterator[Finding]:
+def of_ego(
+    situation: Situation, episode: Episode, route: Route, contact: int | None, done: dict[str, Once]
+) -> Iterator[Finding]:
     """What a drive shows of the ego's deeds.
 
     Args:
@@ -40,6 +43,7 @@ def of_ego(situation: Situation, episode: Episode, route: Route, contact: int | 
         episode: What happened.
         route: The ego's.
         contact: The step of the first contact, after which nothing is judged; None if there was none.
+        done: When others did what they do, by who does each and its number or act; when the ego steers is added.
     """
     until = None if contact is None else contact + 1
     speed = np.abs(episode.ego_track.speed[:until])
@@ -53,7 +57,13 @@ def of_ego(situation: Situation, episode: Episode, route: Route, contact: int | 
             yield from _passes(path, deed, situation, episode, route, contact)
         elif deed.act in _ASIDE:
             back = any(one.act is deed.act is Act.LANE_CHANGE for one in situation.ego.does[:k])
-            yield from _aside(path, deed, episode, route, contact, back=back)
+            waits = None if deed.when is None else done.get(deed.when.after or deed.when.during or "")
+            since = 0 if waits is None else max(waits.began - round(TOGETHER / episode.dt), 0)
+            found = _aside(path, deed, episode, route, contact, since, back=back or since > 0)
+            if found.at is not None:
+                at = round(found.at / episode.dt)
+                done[f"{EGO}.{deed.act}"] = Once(at, at)
+            yield found
         else:
             left = situation.answered(deed) is not None  # to whoever drives it
             yield from _pedals(f"{path}.act", deed, speed, episode, route, contact, first=k == 0, left=left)
@@ -126,23 +136,23 @@ def _passes(
 
 
 def _aside(
-    path: str, deed: Deed, episode: Episode, route: Route, contact: int | None, *, back: bool
-) -> Iterator[Finding]:
-    """Whether the ego leaves its line, and to the side that was said; one that was hit before may yet have done so.
+    path: str, deed: Deed, episode: Episode, route: Route, contact: int | None, since: int, *, back: bool
+) -> Finding:
+    """Whether the ego leaves its line since a step, and to the side that was said; one that was hit may yet have.
 
-    Of one that had changed lanes `back`, whether it leaves where it was then.
+    Of one that had been aside before, whether it leaves where it was then (`back`).
     """
     seen = watch(episode, route, episode.ego_track, contact)
     left = seen.offset if deed.to is not Side.RIGHT else -seen.offset
-    aside = left if deed.to is not None else np.abs(seen.offset)
-    if back:  # from where it was then
+    aside = (left if deed.to is not None else np.abs(seen.offset))[since:]
+    if back:
         aside = aside - np.minimum.accumulate(aside)
-    most, least = float(aside.max()), _ASIDE[deed.act]
+    most, least = float(aside.max(initial=0.0)), _ASIDE[deed.act]
     shown = most > least
     if deed.act is Act.PARK:
-        still = np.abs(episode.ego_track.speed[: len(aside)]) < STANDING
+        still = np.abs(episode.ego_track.speed[since : since + len(aside)]) < STANDING
         shown = bool((still & (aside > least)).any())
-    at = int(np.argmax(aside > min(least, ON_LINE))) * episode.dt
+    at = (since + int(np.argmax(aside > min(least, ON_LINE)))) * episode.dt
     told = f"said {deed.act}{'' if deed.to is None else f' to the {deed.to}'}, it leaves its way by {most:.1f} m so"
     begun = contact is not None and most > ON_LINE
-    yield Finding(path=f"{path}.act", shown=shown or (None if begun else False), told=told, at=at if shown else None)
+    return Finding(path=f"{path}.act", shown=shown or (None if begun else False), told=told, at=at if shown else None)

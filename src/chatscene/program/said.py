@@ -16,9 +16,18 @@ HARD = 3.0  # [m/s²] of braking: whoever was said to brake by less is seen to s
 
 def waits_for_others(one: Other) -> bool:
     """Whether a deed of somebody waits for one of somebody else."""
+    return not {one.id, EGO}.issuperset(_waited_for(one))
+
+
+def waits_for_ego(one: Other) -> bool:
+    """Whether a deed of somebody waits for one of the ego."""
+    return EGO in _waited_for(one)
+
+
+def _waited_for(one: Other) -> Iterator[str]:
+    """For whom deeds of somebody wait, by ids."""
     waits = (deed.when for deed in one.does if deed.when is not None)
-    named = (name for when in waits for name in (when.after, when.during) if name is not None)
-    return any(name.partition(".")[0] not in (one.id, EGO) for name in named)
+    yield from (name.partition(".")[0] for when in waits for name in (when.after, when.during) if name is not None)
 
 
 def due(deed: Deed, once: Act, done: Mapping[str, Act], seen: Seen) -> bool:

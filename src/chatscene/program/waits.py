@@ -19,7 +19,7 @@ from chatscene.program.watching import Seen, watch
 from chatscene.terms.amount import Duration
 from chatscene.terms.episode import Episode
 from chatscene.terms.route import Route
-from chatscene.terms.situation import EGO, Deed, Situation, When
+from chatscene.terms.situation import Deed, Situation, When
 from chatscene.terms.vocabulary import COMES_IN, Heads, acts_of
 
 _OVER = acts_of(Heads.BEFORE, Heads.OVER, Heads.OUT, Heads.MERGES, Heads.IN)
@@ -56,10 +56,8 @@ class Waiting:
         assert when is not None
         slack = TOGETHER / seen.dt
         for name, reference in (("after", when.after), ("during", when.during)):
-            if reference is None or reference.startswith(f"{EGO}."):
-                continue
-            other = done.get(reference)
-            if other is None:
+            other = None if reference is None else done.get(reference)
+            if reference is None or other is None:
                 continue  # which has a finding of its own
             right = once.began >= other.began - slack
             lasts = reference.partition(".")[0] == path.split(".")[1] or self.situation.deed(reference).act.row.lasting
