@@ -156,9 +156,10 @@ def run(
         map, looking, lines = _told_of(own, on, looking, shut_in=within is not None)  # noqa: A001
         for line in lines:
             progress(f"{line}\n", 0, 0)
-    situation = made.record if isinstance(made, Stated) else None
+    situation = None
     if isinstance(made, Stated):
-        map = made.built.map  # noqa: A001
+        made = made.as_shown
+        situation, map = made.record, made.built.map  # noqa: A001
     asked = runs.asked_run(
         "" if isinstance(text, Situation) else text,
         program=None if own is None else runs.ProgramRecord(name=own.program.scenario_id, source=own.program.source),

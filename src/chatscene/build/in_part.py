@@ -47,7 +47,7 @@ _PATH = re.compile(r"\b(?:(?:ego|road|contact|around)\.|others\.[\w-]+)[\w.-]*")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class _Less:
+class Less:
     """A situation without one of its facts.
 
     Attributes:
@@ -90,15 +90,15 @@ def _without_least(situation: Situation, refused: NotBuilt) -> tuple[Situation, 
     Facts are left out one after the other, as long as each time another refusal comes of it.
     """
     numbers, met = count(), {situation}
-    tried: list[tuple[int, int, _Less, tuple[str, ...], str]] = []
+    tried: list[tuple[int, int, Less, tuple[str, ...], str]] = []
 
     def push(one: Situation, missed: int, left_out: tuple[str, ...], error: NotBuilt) -> None:
         named = _PATH.findall(str(error))
-        for less in lesser(one):
-            if less.situation in met or not _is_read(one, less.path):
+        for less in lesser_read(one):
+            if less.situation in met:
                 continue
             met.add(less.situation)
-            more = less.missed + (0 if any(_touches(less.path, path) for path in named) else _BESIDE)
+            more = less.missed + (0 if any(touches(less.path, path) for path in named) else _BESIDE)
             told = (*left_out, less.told + _because(error, less.told))
             heapq.heappush(tried, (missed + more, next(numbers), less, told, str(error)))
 
@@ -119,7 +119,7 @@ def _without_least(situation: Situation, refused: NotBuilt) -> tuple[Situation, 
     return None
 
 
-def _touches(one: str, other: str) -> bool:
+def touches(one: str, other: str) -> bool:
     """Whether one of two paths is in the other."""
     one, other = f"{one}.", f"{other.rstrip('.')}."
     return one.startswith(other) or other.startswith(one)
@@ -141,7 +141,12 @@ def _because(error: NotBuilt, told: str) -> str:
     return f" ({why})" if why not in ("", told, told.partition(": ")[2]) else ""
 
 
-def lesser(situation: Situation) -> Iterator[_Less]:
+def lesser_read(situation: Situation) -> Iterator[Less]:
+    """The same of each lesser fact that was read in a text."""
+    return (less for less in lesser(situation) if _is_read(situation, less.path))
+
+
+def lesser(situation: Situation) -> Iterator[Less]:
     """A situation without each of its lesser facts in turn."""
     for path, value in all_facts(situation):
         parts = path.split(".")
@@ -168,10 +173,10 @@ def lesser(situation: Situation) -> Iterator[_Less]:
             )
 
 
-def _sound(path: str, told: str, missed: int, situation: Situation | None) -> Iterator[_Less]:
+def _sound(path: str, told: str, missed: int, situation: Situation | None) -> Iterator[Less]:
     """What is left, if that is a situation."""
     if situation is not None and not any(faults_of(situation)):
-        yield _Less(path=path, told=told, missed=missed, situation=situation)
+        yield Less(path=path, told=told, missed=missed, situation=situation)
 
 
 def _without(situation: Situation, path: str) -> Situation | None:

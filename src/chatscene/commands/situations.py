@@ -22,6 +22,7 @@ def say_understood(understood: Stated | Understood, *, program: bool) -> None:
     if not isinstance(understood, Stated):
         print_understanding(console(), understood, show_program=program)
         return
+    understood = understood.as_shown if program else understood
     for one in understood.unseen if program else ():
         say(one)
     say(str(understood))

@@ -14,11 +14,11 @@ from chatscene.build.in_part import build_in_part
 from chatscene.errors import OfferedReading
 from chatscene.files.bounded import is_there
 from chatscene.maps.left_hand import keeps_left
-from chatscene.maps.network import map_digest, resolve_map
+from chatscene.maps.network import resolve_map
 from chatscene.read.quotes import left_over, not_in_words, words_of
 from chatscene.report.accounting import in_words, parts_of
 from chatscene.situations.facts import with_fact
-from chatscene.situations.file import read_file, to_yaml
+from chatscene.situations.file import read_file, read_text, to_yaml
 from chatscene.situations.form import to_plain
 from chatscene.situations.words import title, told
 from chatscene.terms.mirroring import as_said_on
@@ -35,10 +35,10 @@ Editor = Callable[[Situation, str], tuple["Edited", Built]]
 
 
 @lru_cache(maxsize=8)
-def _rehearsed(built: Built, situation: Situation, ground: str) -> Built:  # noqa: ARG001 - a map may change
-    from chatscene.search.rehearsal import rehearsed  # who asks for no program drives nothing
+def _shown_in_part(text: str, built: Built) -> tuple[Situation, Built]:
+    from chatscene.search.shown_in_part import shown_in_part  # who asks for no program drives nothing
 
-    return rehearsed(built, situation)
+    return shown_in_part(read_text(text), built)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -67,12 +67,22 @@ class Stated:
     @property
     def program(self) -> ScenicProgram:
         """Its program, as a run has it."""
-        return self.rehearsed.program
+        return self.as_shown.rehearsed.program
 
     @property
     def rehearsed(self) -> Built:
-        """Its program, as a run has it, and what was assumed for that."""
-        return _rehearsed(self.built, self.situation, map_digest(resolve_map(self.built.map)))
+        """Its program with shifted ranges, and what was assumed for that."""
+        from chatscene.search.rehearsal import rehearsed_once  # who asks for no program drives nothing
+
+        return rehearsed_once(self.built, self.situation)
+
+    @property
+    def as_shown(self) -> Stated:
+        """The same without lesser facts for which no drive shows what was said; asking for it drives the program."""
+        made, built = _shown_in_part(to_yaml(self.situation), self.built)
+        if built is self.built:
+            return self
+        return replace(self, situation=replace(made, about=self.situation.about), built=built)
 
     @property
     def unseen(self) -> tuple[str, ...]:
@@ -127,6 +137,8 @@ class Stated:
 
     def as_dict(self) -> dict[str, Any]:
         """For a script."""
+        if (shown := self.as_shown) is not self:
+            return shown.as_dict()
         return {
             "told": told(self.situation),
             "situation": to_plain(self.situation),

@@ -20,7 +20,7 @@ from chatscene.build.coming import speeds_to_try
 from chatscene.ego.policy import EgoPolicy, load_ego
 from chatscene.errors import ChatSceneError, NotBuilt
 from chatscene.interpret.scenario_names import STATED
-from chatscene.maps.network import MapContent, resolve_map
+from chatscene.maps.network import MapContent, map_digest, resolve_map
 from chatscene.program.finding import UNTOLD, Late, failures
 from chatscene.program.judge import judge
 from chatscene.program.sample import drawn_scene, scene_at
@@ -37,6 +37,7 @@ EGOS = (EGO, "idm")
 DRAWN = 7  # drives of each besides that in the middle of all ranges
 FRESH = 4  # more of each, of a shift whose drives all show everything: they were what it was found by
 SEED = 1  # what their values are drawn by
+GLANCED = 2  # drives of each besides that in the middle, which tell whether a program is worth a rehearsal
 FIRST = 4  # of these drives, by which a program that helps is told from others
 ONE_OFF = 1  # of these drives that may miss something: the program stays as it is
 ENOUGH = 0.75  # of these drives that show all that was said
@@ -86,6 +87,27 @@ def rehearsed(built: Built, situation: Situation) -> Built:
         return replace(built, unseen=unseen) if unseen else built
     told = tuple(_told(built.program.parameters, best.program.parameters, best.met))
     return replace(built, program=best.program, assumed=(*built.assumed, *told), unseen=unseen)
+
+
+def rehearsed_once(built: Built, situation: Situation) -> Built:
+    """The same as `rehearsed`; what was driven lately is not driven again."""
+    return _rehearsed_there(built, situation, map_digest(resolve_map(built.map)))
+
+
+@lru_cache(maxsize=8)
+def _rehearsed_there(built: Built, situation: Situation, ground: str) -> Built:  # noqa: ARG001 - a map may change
+    return rehearsed(built, situation)
+
+
+def unseen_at_first(built: Built, situation: Situation) -> tuple[str, ...]:
+    """What none of a few drives of a program shows, as `rehearsed` tells it; nothing is shifted.
+
+    Raises:
+        ChatSceneError: It cannot be driven.
+    """
+    stage = _Stage.of(built, situation, DRIVES[0])
+    stage.drawn = GLANCED
+    return tuple(stage.driven(built.program).unseen())
 
 
 def _with_slow_ego(built: Built, situation: Situation) -> Built | None:

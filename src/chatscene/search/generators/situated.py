@@ -103,9 +103,9 @@ def _built(text: str, name: str) -> Built:
 @lru_cache(maxsize=8)
 def _rehearsed(text: str, name: str, ground: str) -> Built:
     from chatscene.build.build import build  # who drives again what was built before needs none of it
-    from chatscene.search.rehearsal import rehearsed
+    from chatscene.search.rehearsal import rehearsed_once
 
     situation = read_text(text)
-    built = rehearsed(build(situation, name=name), situation)
+    built = rehearsed_once(build(situation, name=name), situation)
     keep_program(built.program, text, name, ground)
     return built
