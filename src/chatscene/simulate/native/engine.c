@@ -40,6 +40,7 @@
 #define ARGUMENTS 6
 #define MOST_TURNS 1000
 #define MOST_BODIES 32
+#define PART 16 /* segments, or moments, whose box tells of all of them that they are far */
 
 enum { THING, VEHICLE, WALKER };
 enum { GOES_ON, COLLISION, ARRIVED, TIMEOUT, OVER };
@@ -56,6 +57,7 @@ enum { NO_FAULT, TURNS_IN_PLACE };
 typedef struct {
     int64_t points;
     const double *x, *y, *s, *hx, *hy; /* x, y, s: one per point; hx, hy: one per segment */
+    const double *boxes; /* of each PART segments: least and greatest x, least and greatest y; or none */
 } Line;
 
 /* chatscene.terms.profile.Timetable: s, seconds: one per point; speeds: one per segment. */
@@ -321,12 +323,39 @@ static double apart2(const Line *line, int64_t i, double x, double y) {
     return ex * ex + ey * ey;
 }
 
+/* How far a point is from a box, squared. */
+static double outside2(const double *e, double x, double y) {
+    double dx = x < e[0] ? e[0] - x : x > e[1] ? x - e[1] : 0.0, dy = y < e[2] ? e[2] - y : y > e[3] ? y - e[3] : 0.0;
+    return dx * dx + dy * dy;
+}
+
+/* Whether a point is farther than the root of `square` from wherever a box is, more than rounding makes. */
+static int far_from(const double *e, double x, double y, double square) {
+    return outside2(e, x, y) > square * (1.0 + 1e-9) + 1e-9;
+}
+
+/* The first of the nearest segments; past the parts of a line that are farther than one of the nearest part. */
 static int32_t nearest_segment(const Line *line, double x, double y) {
-    int32_t best = 0;
-    double least = INFINITY;
-    for (int32_t i = 0; i < line->points - 1; i++) {
-        double d2 = apart2(line, i, x, y);
-        if (d2 < least) { least = d2; best = i; }
+    int32_t best = 0, segments = (int32_t)line->points - 1;
+    double least = INFINITY, within = INFINITY;
+    if (line->boxes && segments > PART) {
+        int32_t part = 0;
+        double nearest = INFINITY;
+        for (int32_t k = 0; k * PART < segments; k++) {
+            double d2 = outside2(line->boxes + 4 * k, x, y);
+            if (d2 < nearest) { nearest = d2; part = k; }
+        }
+        for (int32_t i = part * PART; i < (part + 1) * PART && i < segments; i++) {
+            double d2 = apart2(line, i, x, y);
+            if (d2 < within) within = d2;
+        }
+    }
+    for (int32_t first = 0; first < segments; first += PART) {
+        if (line->boxes && far_from(line->boxes + first / PART * 4, x, y, within)) continue;
+        for (int32_t i = first; i < first + PART && i < segments; i++) {
+            double d2 = apart2(line, i, x, y);
+            if (d2 < least) { least = d2; best = i; }
+        }
     }
     return best;
 }
@@ -354,54 +383,13 @@ static void project(const Line *line, double x, double y, int32_t *from, double 
     *offset = across;
 }
 
-#define PART 16 /* segments, or moments, whose box tells of all of them that they are far */
-
-/* The boxes of a line by parts of so many segments: least and greatest x, least and greatest y; NULL without memory. */
-static double *boxes_along(const Line *line) {
-    int64_t segments = line->points - 1, parts = (segments + PART - 1) / PART;
-    double *boxes = malloc(sizeof(double) * 4 * (size_t)(parts + 1));
-    for (int64_t part = 0; boxes && part < parts; part++) {
-        double *e = boxes + 4 * part;
-        e[0] = e[2] = INFINITY;
-        e[1] = e[3] = -INFINITY;
-        for (int64_t i = part * PART; i <= (part + 1) * PART && i <= segments; i++) {
-            e[0] = fmin(e[0], line->x[i]); e[1] = fmax(e[1], line->x[i]);
-            e[2] = fmin(e[2], line->y[i]); e[3] = fmax(e[3], line->y[i]);
-        }
-    }
-    return boxes;
-}
-
-/* Whether a point is farther than the root of `square` from wherever a box is, more than rounding makes. */
-static int far_from(const double *e, double x, double y, double square) {
-    double dx = x < e[0] ? e[0] - x : x > e[1] ? x - e[1] : 0.0, dy = y < e[2] ? e[2] - y : y > e[3] ? y - e[3] : 0.0;
-    return dx * dx + dy * dy > square * (1.0 + 1e-9) + 1e-9;
-}
-
-/* `nearest_segment`, past the parts of a line in which no segment is as near as one that is known. */
-static int32_t nearest_by_parts(const Line *line, const double *boxes, int32_t known, double x, double y) {
-    int64_t segments = line->points - 1;
-    double within = apart2(line, known, x, y), least = INFINITY;
-    int32_t best = 0;
-    for (int64_t first = 0; first < segments; first += PART) {
-        if (far_from(boxes + first / PART * 4, x, y, within)) continue;
-        for (int64_t i = first; i < first + PART && i < segments; i++) {
-            double d2 = apart2(line, i, x, y);
-            if (d2 < least) { least = d2; best = (int32_t)i; }
-        }
-    }
-    return best;
-}
-
 /* Where points lie on a line; each is looked for from where the one before it was, or on the whole line. */
 void follow(const Line *line, int64_t count, int32_t whole, const double *x, const double *y, double *arc, double *offset) {
     int32_t near = -1;
-    double *boxes = whole && line->points > 2 * PART ? boxes_along(line) : NULL;
     for (int64_t i = 0; i < count; i++) {
-        if (whole) near = boxes && near >= 0 ? nearest_by_parts(line, boxes, near, x[i], y[i]) : -1;
+        if (whole) near = -1;
         project(line, x[i], y[i], &near, &arc[i], &offset[i]);
     }
-    free(boxes);
 }
 
 static int64_t segment_at(const Line *line, double s) {
@@ -769,7 +757,7 @@ static int acts(World *w, Agent *agent, const Phase *phase, Body *b) {
     const double *a = agent->argument, *caps = phase->caps;
     const Body *other = phase->other >= 0 ? &w->body[phase->other] : 0;
     Line straight = {2, agent->straight, agent->straight + 2, agent->straight + 4, agent->straight + 6,
-                     agent->straight + 7};
+                     agent->straight + 7, NULL};
     double arc, offset, steer = 0.0, wish;
     int reverse = 0;
     if (!agent->begun) begin(w, agent, phase);

@@ -32,7 +32,7 @@ from chatscene.simulate.native.building import NoEngine, compile_engine, source_
 PACKAGED = Path(__file__).with_name("libengine.so")  # by a name that Python takes for no module of ours
 _SEAL = 16  # bytes
 CHECKED = 4000  # numbers on which each function is held against Python's
-ARGUMENTS, LOCALS, SEEN, MOST_BODIES, STACK, STEPS = 6, 8, 83, 32, 64, 20  # as in engine.c
+ARGUMENTS, LOCALS, SEEN, MOST_BODIES, STACK, STEPS, PART = 6, 8, 83, 32, 64, 20, 16  # as in engine.c
 END = 2**63 - 1  # a step that no scene comes to
 
 ROUNDING = 1e-6  # [m], more than rounding makes of a distance
@@ -48,9 +48,9 @@ def _at(array: Any) -> int:
 
 
 class Line(Structure):
-    """A line: its points, their arc lengths, and the direction of each segment."""
+    """A line: its points, their arc lengths, the direction of each segment, and the boxes of its parts."""
 
-    _fields_ = (("points", c_int64), *((name, _Doubles) for name in ("x", "y", "s", "hx", "hy")))
+    _fields_ = (("points", c_int64), *((name, _Doubles) for name in ("x", "y", "s", "hx", "hy", "boxes")))
 
 
 class Timetable(Structure):

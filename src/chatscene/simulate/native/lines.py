@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from chatscene.simulate.native.building import NoEngine
-from chatscene.simulate.native.engine import Engine, Line, load_engine
+from chatscene.simulate.native.engine import PART, Engine, Line, load_engine
 from chatscene.terms.arrays import Array
 from chatscene.terms.polyline import Polyline
 
@@ -17,7 +17,10 @@ from chatscene.terms.polyline import Polyline
 @lru_cache(maxsize=256)
 def line_of(line: Polyline) -> tuple[Line, list[NDArray[np.float64]]]:
     """A line in the engine's terms, and what that points at."""
-    columns = [np.array(column) for column in line.columns]
+    x, y = line.columns[:2]
+    parts = [slice(first, first + PART + 1) for first in range(0, len(line) - 1, PART)]
+    boxes = [bound(of[part]) for part in parts for of in (x, y) for bound in (min, max)]
+    columns = [np.array(column) for column in (*line.columns, boxes)]
     pointers = (column.ctypes.data_as(ctypes.POINTER(ctypes.c_double)) for column in columns)
     return Line(len(line), *pointers), columns
 
