@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 from chatscene.ego.asking import fitted
 from chatscene.ego.policy import EgoPolicy, knows_body, name_of, takes_speed
@@ -96,7 +96,7 @@ def drive(program: ScenicProgram, said: Said, scene: Scene, *, simulator: Simula
         cut=found.cut,
         touch=found.touch,
         criticality=criticality(episode),
-        speeds=replace(speeds(episode), friction_demand=friction_demand(episode)),
+        speeds=speeds(episode, friction_demand(episode)),
         happened=happened(episode),
         fault=fault(episode),
         avoidable=careful,

@@ -103,6 +103,8 @@ def _time_spent(measurements: Sequence[Measurements], *, corrected: bool) -> flo
 
 
 def _mean(values: Sequence[float]) -> float:
+    if len(values) == 1:
+        return float(values[0])
     return math.fsum(values) / len(values)
 
 

@@ -16,8 +16,8 @@ from chatscene.terms.episode import Episode, Event, Track
 from chatscene.terms.speeds import Speeds
 
 
-def speeds(episode: Episode) -> Speeds:
-    """How fast the ego and whom it meets were, and how hard they met."""
+def speeds(episode: Episode, friction_demand: float | None = None) -> Speeds:
+    """How fast the ego and whom it meets were, and how hard they met, beside the friction that tyres took."""
     found, ego, dt = sums(episode), episode.ego_track, episode.dt
     if (other := found.meets) is None:
         mine = np.abs(ego.speed)
@@ -26,6 +26,7 @@ def speeds(episode: Episode) -> Speeds:
             ego_speed_before=float(mine.max()),
             ego_speed_most=float(mine.max()),
             ego_braking_most=lost(mine) / dt,
+            friction_demand=friction_demand,
         )
     ego_before, other_before, ego_most, other_most, ego_lost, other_lost = found.fast
     crash = episode.collision
@@ -39,6 +40,7 @@ def speeds(episode: Episode) -> Speeds:
         other_speed_most=other_most,
         ego_braking_most=ego_lost / dt,
         other_braking_most=other_lost / dt,
+        friction_demand=friction_demand,
         **(_impact(episode, other, crash) if crash is not None else {}),
     )
 
