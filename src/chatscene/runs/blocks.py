@@ -458,9 +458,14 @@ def read_scenes(
     return list(chain.from_iterable(_rows(run, "scenes.parquet", SCENES, scenes_table, among)))
 
 
-def each_scene(run: Workspace, names: Sequence[str]) -> Iterator[dict[str, Any]]:
+def each_scene(run: Workspace, names: Sequence[str] = ()) -> Iterator[dict[str, Any]]:
     """A row per scene with some columns of `scenes.parquet`, read as they are asked for: there may be any number."""
     return chain.from_iterable(_rows(run, "scenes.parquet", SCENES, scenes_table, names=names))
+
+
+def each_event(run: Workspace, names: Sequence[str] = ()) -> Iterator[dict[str, Any]]:
+    """A row per event with some columns of `events.parquet`, read as they are asked for."""
+    return chain.from_iterable(_rows(run, "events.parquet", EVENTS, events_table, names=names))
 
 
 def read_events(run: Workspace, ids: Iterable[str] | None = None) -> list[dict[str, Any]]:

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Generator, Iterator, Sequence
 from dataclasses import asdict, dataclass
+from itertools import groupby
+from operator import itemgetter
 from pathlib import Path
 from typing import Any
 
@@ -15,7 +18,7 @@ from chatscene.maps.carried import CarriedMap
 from chatscene.measure.avoidability import avoidable_if_driven
 from chatscene.measure.criticality import criticality
 from chatscene.program.sample import scene_seed
-from chatscene.runs.blocks import read_episode, read_events, read_ranges, read_scenes
+from chatscene.runs.blocks import each_event, each_scene, read_episode, read_ranges
 from chatscene.runs.executor import ONE, Workers
 from chatscene.runs.parallel import spread
 from chatscene.runs.progress import Progress, silent
@@ -190,8 +193,10 @@ def rate(
     made = rebuild(run)
     scenario, program = made.scenario, made.program
     exposure = exposure_of(program.parameters, densities)
-    rows = read_scenes(run)
-    routes = sorted({route_index(row["route_id"]) for row in rows}) or [0]
+    ran = Counter[str]()
+    for row in each_scene(run, ("route_id", "status")):
+        ran[row["route_id"]] += row["status"] == "ran"
+    routes = sorted(map(route_index, ran)) or [0]
     tally = Tally(exposure)
     by, blocks = _searched_by(record.generator, settings.search)
     for points, came, batch in _stored(run, program, exposure, blocks):
@@ -227,7 +232,7 @@ def rate(
         avoidable=careful,
         unknown=tally.unknown,
         exposure=tuple(dict(row) for row in as_rows(exposure)),
-        left=_not_counted(by, blocks, counted=stored == sum(row["status"] == "ran" for row in rows)),
+        left=_not_counted(by, blocks, counted=stored == ran.total()),
     )
 
 
@@ -277,18 +282,21 @@ def _stored(
     ranges: dict[tuple[str, int], dict[str, tuple[float, float]]] = {}
     for row in read_ranges(run):
         ranges.setdefault((row["route_id"], row["block"]), {})[row["parameter"]] = row["low"], row["high"]
-    struck: dict[str, str] = {}
-    for event in sorted(read_events(run), key=lambda event: event["step"]):
-        if event["kind"] == EventKind.COLLISION:
-            struck.setdefault(event["scene_id"], event["other"])
-    rows = read_scenes(run)
-    ran = next((row["scene_id"] for row in rows if row["status"] == "ran"), None)
+    struck: dict[str, tuple[int, str]] = {}
+    for event in each_event(run, ("scene_id", "kind", "step", "other")):
+        first = struck.get(event["scene_id"])
+        if event["kind"] == EventKind.COLLISION and (first is None or event["step"] < first[0]):
+            struck[event["scene_id"]] = event["step"], event["other"]
+    names = each_scene(run, ("scene_id", "status"))
+    ran = next((row["scene_id"] for row in names if row["status"] == "ran"), None)
     adversaries = {one.actor for one in read_episode(run, ran).adversaries} if ran else set[str]()
     cube = exposure.cube
-    for (route, block), box in sorted(ranges.items()):
-        if blocks is not None and block >= blocks:
+    # Blocks lie in the table in their order, each in one piece.
+    for (route, block), rows in groupby(each_scene(run), key=itemgetter("route_id", "block")):
+        box = ranges.get((route, block))
+        if box is None or (blocks is not None and block >= blocks):
             continue
-        here = [row for row in rows if (row["route_id"], row["block"]) == (route, block)]
+        here = list(rows)
         low, high = (cube.point({p.name: box[p.name][end] for p in cube.free}) for end in (0, 1))
         every: list[Came | None] = []
         points = np.zeros((len(here), len(cube.free)))
@@ -298,7 +306,7 @@ def _stored(
                 continue
             scene = scene_of(row, program)
             points[number] = cube.point(scene.values)
-            crashed = struck.get(row["scene_id"]) in adversaries
+            crashed = struck.get(row["scene_id"], (0, ""))[1] in adversaries
             came = Outcome(
                 values=scene.values,
                 collided=crashed,
@@ -307,5 +315,4 @@ def _stored(
                 completion=row["route_completion"],
             )
             every.append(Came(came.danger, crashed, row["avoidable"] if crashed else False))
-        if here:
-            yield points, every, Batch(count=len(here), density=Box(low, high), route=route_index(route))
+        yield points, every, Batch(count=len(here), density=Box(low, high), route=route_index(route))

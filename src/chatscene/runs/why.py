@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import asdict, dataclass
+from heapq import nsmallest
 from pathlib import Path
 from typing import Any
 
@@ -29,7 +30,7 @@ from chatscene.measure.counterfactual import (
 )
 from chatscene.measure.severity import KMH
 from chatscene.program.sample import scene_at
-from chatscene.runs.blocks import read_scenes
+from chatscene.runs.blocks import each_scene, read_scenes
 from chatscene.runs.crash import Contact, Pace, braking_in_words, last_moment_in_words
 from chatscene.runs.rebuild import Remade, remade
 from chatscene.runs.record import RunRecord
@@ -295,21 +296,20 @@ def why(folder: Path, scene_id: str, *, repeated: Repeated | None = None) -> Why
 
 def trial_of(
     folder: Path, scene_id: str, *, repeated: Repeated | None = None
-) -> tuple[Trial, Sequence[Mapping[str, Any]]]:
-    """A scene of a run that crashed, driven again, and the rows of all scenes of the run.
+) -> tuple[Trial, Iterator[Mapping[str, Any]]]:
+    """A scene of a run that crashed, driven again, and the rows of all scenes of the run, read as they are asked for.
 
     Raises:
         RunError: As `why`.
     """
     run = open_run(folder, RunRecord)
     follow(repeated or Repeated(), egos_of=[run], simulators_of=[run], joining_of=[run])
-    rows = read_scenes(run)
-    row = next((row for row in rows if row["scene_id"] == scene_id), None)
+    row = next(iter(read_scenes(run, ids=[scene_id])), None)
     if row is None or row["status"] != "ran":
         raise RunError(f"{folder} has no scene {scene_id!r} that was driven")
     if not row["collision"]:
         raise RunError(f"scene {scene_id!r} ended without a collision, so there is nothing to explain")
-    return trial_in(remade(run), row), rows
+    return trial_in(remade(run), row), each_scene(run)
 
 
 def trial_in(made: Remade, row: Mapping[str, Any]) -> Trial:
@@ -328,7 +328,7 @@ def trial_in(made: Remade, row: Mapping[str, Any]) -> Trial:
     return Trial(program=program, scene=scene, ego=ego, simulator=simulator, episode=episode, route=route)
 
 
-def back_of(trial: Trial, rows: Sequence[Mapping[str, Any]]) -> Back | None:
+def back_of(trial: Trial, rows: Iterable[Mapping[str, Any]]) -> Back | None:
     """Where the parameters of a scene are set back to.
 
     The nearest scene of the run on the same route that did not crash and does not; else the middle of every range,
@@ -340,10 +340,9 @@ def back_of(trial: Trial, rows: Sequence[Mapping[str, Any]]) -> Back | None:
     mine, program = trial.scene, trial.program
     if not mine.values:
         return None
-    same = [row for row in rows if row["status"] == "ran" and not row["collision"]]
-    scenes = [scene for scene in (scene_of(row, program) for row in same) if scene.route == mine.route]
-    scenes.sort(key=lambda scene: (_far(program, mine, scene), scene.id))
-    for scene in scenes[:CANDIDATES]:
+    same = (row for row in rows if row["status"] == "ran" and not row["collision"])
+    scenes = (scene for scene in (scene_of(row, program) for row in same) if scene.route == mine.route)
+    for scene in nsmallest(CANDIDATES, scenes, key=lambda scene: (_far(program, mine, scene), scene.id)):
         if (came := trial.drive(values=scene.values)).harmless:
             return Back(name=scene.id, values=scene.values, came=came)
     values = scene_at(program, mine.route, 0.5, name=MIDDLE).values

@@ -402,7 +402,7 @@ def read_drives(run: runs.Workspace) -> list[Drive]:
     record = runs.read_record(run, runs.EvaluationRecord)
     sources = {source.scenario_id: source for source in record.sources}
     drives: list[Drive] = []
-    for row in runs.read_scenes(run):
+    for row in runs.each_scene(run):
         source = sources[row["scenario_id"]]
         if row["status"] == "ran":
             drives.append(
@@ -428,7 +428,7 @@ def read_displacements(run: runs.Workspace) -> list[Displacement]:
     record = runs.read_record(run, runs.EvaluationRecord)
     sources = {source.scenario_id: source for source in record.sources}
     groups: dict[tuple[str, str, int], list[str]] = {}
-    for row in runs.read_scenes(run):
+    for row in runs.each_scene(run, ("scenario_id", "route_id", "block", "scene_id", "status")):
         if row["status"] == "ran":
             groups.setdefault((row["scenario_id"], row["route_id"], row["block"]), []).append(row["scene_id"])
     found: list[Displacement] = []

@@ -247,7 +247,7 @@ def _searched(scenes: Path) -> list[tuple[float, float, float]]:
     blocks: dict[int, dict[str, list[Measurements]]] = {}
     for run in map(runs.open_run, runs.run_folders([scenes])):
         base = run.path.parent.name
-        for row in runs.read_scenes(run):
+        for row in runs.each_scene(run):
             if row["status"] == "ran":
                 blocks.setdefault(row["block"], {}).setdefault(base, []).append(runs.measurements_of(row))
     curve: list[tuple[float, float, float]] = []

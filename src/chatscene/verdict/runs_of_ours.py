@@ -6,7 +6,16 @@ from pathlib import Path
 from typing import Any
 
 from chatscene.errors import RunError
-from chatscene.runs import RunRecord, open_run, read_drawing, read_episodes, read_record, read_scenes, require_done
+from chatscene.runs import (
+    RunRecord,
+    each_scene,
+    open_run,
+    read_drawing,
+    read_episodes,
+    read_record,
+    read_scenes,
+    require_done,
+)
 from chatscene.runs.rebuild import remade
 from chatscene.runs.tables import scene_of
 from chatscene.runs.trust import Repeated, follow
@@ -25,12 +34,16 @@ def watch_run(folder: Path, settings: VerifySettings, repeated: Repeated | None 
     """
     run = open_run(folder, RunRecord)
     record = read_record(run)
-    driven = {row["scene_id"]: row for row in read_scenes(run) if row["status"] == "ran"}
-    chosen = [settings.scene_id] if settings.scene_id else [name for name, row in driven.items() if row["selected"]]
-    chosen = (chosen or list(driven))[: settings.draws]
+    first, kept = list[str](), list[str]()
+    for row in each_scene(run, ("scene_id", "selected", "status")):
+        if row["status"] == "ran":
+            first += [row["scene_id"]] if len(first) <= max(settings.draws, SHOWN) else []
+            kept += [row["scene_id"]] if row["selected"] else []
+    chosen = [settings.scene_id] if settings.scene_id else (kept or first)[: settings.draws]
+    driven = {row["scene_id"]: row for row in read_scenes(run, ids=chosen) if row["status"] == "ran"}
     if not chosen or chosen[0] not in driven:
         require_done(run, record)
-        some = ", ".join([*list(driven)[:SHOWN], *(["…"] if len(driven) > SHOWN else [])])
+        some = ", ".join([*first[:SHOWN], *(["…"] if len(first) > SHOWN else [])])
         raise RunError(f"{folder} has no scene {settings.scene_id!r} that was driven, but {some or 'none at all'}")
     follow(repeated or Repeated(), simulators_of=[run], joining_of=[run])  # its ego drove already, and is not loaded
     made = remade(run)
