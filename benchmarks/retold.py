@@ -39,8 +39,8 @@ from chatscene.exports.openscenario_logical import OpenScenarioLogical
 from chatscene.exports.plain_plan import SAYABLE
 from chatscene.grow.lint import trials
 from chatscene.grow.twins import scenario_of
+from chatscene.imports.import_file import written
 from chatscene.imports.openscenario import read_openscenario
-from chatscene.imports.written import written
 from chatscene.library.load import load_library
 from chatscene.maps.network import resolve_map
 from chatscene.program.assemble import assemble

@@ -14,7 +14,7 @@ import chatscene
 from chatscene import runs
 from chatscene.commands.main import main
 from chatscene.errors import EditRefused, RunError, SettingsError
-from chatscene.report import caption
+from chatscene.report import animation
 from chatscene.report.animation import write_gif
 from chatscene.runs.progress import silent
 from chatscene.talk import Talk
@@ -86,7 +86,7 @@ def test_what_leaves_an_edited_run_says_its_edits(
 
     def above(said: str) -> Image.Image:
         captions.append(said)
-        return caption.above(said)
+        return animation.above(said)
 
     monkeypatch.setattr("chatscene.report.animation.above", above)
     write_gif(edited[0])

@@ -10,7 +10,7 @@ from click.testing import CliRunner
 
 import chatscene
 from chatscene.commands import main as commands
-from chatscene.commands.keywords import add_keywords
+from chatscene.commands.main import add_keywords
 
 
 def exports(folder: Any, scenes: Any = (), *, to: str, only_crashes: bool = False, most: int = 3) -> str:

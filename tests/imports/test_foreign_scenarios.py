@@ -22,13 +22,11 @@ from chatscene.errors import (
     ScenarioError,
     SettingsError,
 )
-from chatscene.imports.calculated import calculated
-from chatscene.imports.given import Given, Refused
-from chatscene.imports.import_file import import_scenario
+from chatscene.imports.given import Given, Refused, calculated
+from chatscene.imports.import_file import import_scenario, written
 from chatscene.imports.shapes import shape_of, thinned
 from chatscene.imports.stranger_xml import Element, read_xml
 from chatscene.imports.variants import variants_of
-from chatscene.imports.written import written
 from chatscene.imports.written_story import written_story
 from chatscene.maps.curves import normalise
 from chatscene.maps.network import resolve_map

@@ -16,10 +16,10 @@ import chatscene
 from chatscene.commands.main import main
 from chatscene.errors import MapError, ScenarioError, SettingsError
 from chatscene.imports.given import Given
+from chatscene.imports.import_file import written
 from chatscene.imports.openscenario import Imported, read_openscenario
 from chatscene.imports.positions import Positions
 from chatscene.imports.stranger_xml import Element
-from chatscene.imports.written import written
 from chatscene.maps.neighbours import number_beside
 from chatscene.maps.network import resolve_map
 from chatscene.search.generators.foreign import read_foreign

@@ -35,20 +35,17 @@ from chatscene.exports.export import kept_scenes
 from chatscene.exports.exporter import load_exporter
 from chatscene.library.load import load_snippet
 from chatscene.maps import picture
-from chatscene.report import animation, caption, viewer
-from chatscene.report import files as report_files
+from chatscene.report import animation, viewer
 from chatscene.report.animation import write_gif
 from chatscene.report.egos import egos_in_words
-from chatscene.report.files import FORMATS, pack_files
-from chatscene.report.highlight import highlight
 from chatscene.report.measures import MEASURES
 from chatscene.report.measures import in_words as measures_in_words
 from chatscene.report.plots import BOTTOM, LINE, plot_outcomes, plot_ranges
-from chatscene.report.sections import command, tiles, verdict
+from chatscene.report.sections import command, highlight, tiles, verdict
 from chatscene.report.span import AFTER, span
 from chatscene.report.terminal import progress_line
 from chatscene.report.tracks import NEVER, called, extent, pack_beside, pack_drawing, pack_episode
-from chatscene.report.viewer import write_report
+from chatscene.report.viewer import FORMATS, pack_files, write_report
 from chatscene.runs import (
     ProgramRecord,
     SituationRecord,
@@ -559,7 +556,7 @@ def test_the_page_holds_the_files_of_kept_scenes_as_they_are_exported(tmp_path: 
 
 def test_files_that_do_not_fit_are_left_out_of_the_page(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     run = finished(tmp_path / "run", count=1)
-    monkeypatch.setattr(report_files, "FILES_BYTES", 10)
+    monkeypatch.setattr(viewer, "FILES_BYTES", 10)
     assert pack_files(run.path, [row["scene_id"] for row in read_scenes(run) if row["selected"]]) == {}
 
 
@@ -606,11 +603,11 @@ def test_a_gif_of_a_run_says_what_was_asked_for_who_is_who_and_how_long_a_metre_
     run = finished(tmp_path / "run", text="A pedestrian steps out.", count=1)
     with Image.open(write_gif(run.path)) as shown:
         whole = shown.convert("RGB")
-    top, bottom = caption.above("A pedestrian steps out."), whole.height - caption.LINE - caption.EDGE
-    assert whole.size == (picture.WIDTH, top.height + picture.HEIGHT + caption.LINE + caption.EDGE)
+    top, bottom = animation.above("A pedestrian steps out."), whole.height - animation.LINE - animation.EDGE
+    assert whole.size == (picture.WIDTH, top.height + picture.HEIGHT + animation.LINE + animation.EDGE)
     apart = np.asarray(ImageChops.difference(whole.crop((0, 0, *top.size)), top))
     assert apart.max() < 60  # but for the palette's colours
-    blue = whole.getpixel((caption.EDGE + 6, bottom + caption.EDGE // 2 + 9))
+    blue = whole.getpixel((animation.EDGE + 6, bottom + animation.EDGE // 2 + 9))
     assert blue == pytest.approx(ImageColor.getrgb(picture.ROLES[Role.EGO]), abs=12)
 
 
@@ -629,8 +626,8 @@ def test_a_vehicle_that_hides_others_is_called_parked(role: Role, kind: str, nam
 
 
 def test_a_long_text_above_a_gif_is_cut_and_a_short_one_is_not() -> None:
-    assert caption.above("word " * 500).height == caption.LINES * caption.LINE + caption.EDGE
-    assert caption.above("A car brakes.").height == caption.LINE + caption.EDGE
+    assert animation.above("word " * 500).height == animation.LINES * animation.LINE + animation.EDGE
+    assert animation.above("A car brakes.").height == animation.LINE + animation.EDGE
 
 
 def test_a_gif_needs_a_scene_that_was_driven(tmp_path: Path) -> None:

@@ -9,8 +9,7 @@ import pytest
 from chatscene.errors import ChatSceneError
 from chatscene.program import doing
 from chatscene.program.measured import MEASURED
-from chatscene.situations.inflection import inflected
-from chatscene.situations.phrases import ACTS
+from chatscene.situations.phrases import ACTS, inflected
 from chatscene.terms.vocabulary import LETS_GO, LOSES, SLOWS, Act, Heads, Tempo, acts_of, by_act
 from listed import members
 from places import ROOT

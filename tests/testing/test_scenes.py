@@ -25,8 +25,7 @@ from chatscene.terms.episode import Episode, Role
 from chatscene.terms.scene import Scene, ScenicProgram
 from chatscene.testing import scenes
 from chatscene.testing.scenes import Asked, find, judge
-from chatscene.testing.solvable import NOTHING, Unfit, solvable
-from chatscene.testing.twins import twins, without_adversary
+from chatscene.testing.solvable import NOTHING, Unfit, solvable, twins, without_adversary
 from places import ROOT
 
 pytest_plugins = ["pytester"]

@@ -6,8 +6,10 @@ Exit status: 0 done, 1 error, 2 usage, 3 refused because a text or an edit was n
 from __future__ import annotations
 
 import gc
+import inspect
+import re
 import warnings
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -19,7 +21,6 @@ from chatscene.commands.coverage import coverage
 from chatscene.commands.doctor import doctor
 from chatscene.commands.editing import chat, edit
 from chatscene.commands.exchange import export, import_scenario
-from chatscene.commands.keywords import add_keywords
 from chatscene.commands.learn import finetune, train
 from chatscene.commands.library import library
 from chatscene.commands.look import check, replay, why
@@ -42,6 +43,42 @@ from chatscene.commands.verify import verify
 from chatscene.commands.view import open_report, view
 from chatscene.errors import ChatSceneError, EditRefused, MeansSomethingElse, NothingFits
 from chatscene.memory import lack_of_memory, require_memory
+
+NO_OPTIONS = frozenset(("settings", "progress", "within"))
+"""Keywords that are for Python alone."""
+_TYPES: dict[str, Any] = {"str": str, "int": int, "float": float, "Name": click.Path(path_type=Path)}
+
+
+def add_keywords(command: click.Command, function: Any) -> None:
+    """Give a command an option for each keyword of its function that it has none for; those are added once.
+
+    Raises:
+        TypeError: A keyword's type or docstring does not say what its option is.
+    """
+    there = {name for option in command.params if option.name for name in (option.name, option.name.rstrip("_"))}
+    missing = [one for one in _keywords(function) if one.name not in there]
+    command.params += [_option(function, one) for one in missing]
+
+
+def _keywords(function: Any) -> Iterator[inspect.Parameter]:
+    for one in inspect.signature(function).parameters.values():
+        if one.kind is inspect.Parameter.KEYWORD_ONLY and one.name not in NO_OPTIONS:
+            yield one
+
+
+def _option(function: Any, one: inspect.Parameter) -> click.Option:
+    told = re.search(rf"^    {one.name}: (.+(?:\n     .+)*)", inspect.getdoc(function) or "", re.MULTILINE)
+    name = f"{function.__module__}.{function.__name__}: {one.name}"
+    if told is None:
+        raise TypeError(f"{name} has no line in the docstring, which is to be the help of its option")
+    said = " ".join(told[1].split()).replace("``", "")
+    spelled = f"--{one.name.rstrip('_').replace('_', '-')}"
+    kind = str(one.annotation).removesuffix(" | None")
+    if kind == "bool" and one.default is False:
+        return click.Option([spelled, one.name], is_flag=True, help=said)
+    if kind not in _TYPES:
+        raise TypeError(f"{name} is {one.annotation}: write its option in the command's module, below commands/")
+    return click.Option([spelled, one.name], type=_TYPES[kind], default=one.default, show_default=True, help=said)
 
 
 def _warn(otherwise: Callable[..., None], message: Warning | str, kind: type[Warning], file: str, *more: Any) -> None:

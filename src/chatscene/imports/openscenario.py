@@ -7,25 +7,125 @@ line, all of it at once.
 
 from __future__ import annotations
 
+import os
+import re
+import shlex
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import TypeVar
+from types import SimpleNamespace
+from typing import Any, TypeVar
 
-from chatscene.errors import ScenarioError, SettingsError, no_such
-from chatscene.imports.catalogs import Catalogs, written_out
+from chatscene.errors import MapError, ScenarioError, SettingsError, no_such
+from chatscene.imports.catalogs import ABSOLUTE, Catalogs, lies_within, relative, written_out
 from chatscene.imports.given import Given, Refused, finite
-from chatscene.imports.map_named import Maps
-from chatscene.imports.rising import holds_at_first
+from chatscene.imports.open_ground import open_ground
 from chatscene.imports.stranger_xml import Element, read_xml
 from chatscene.imports.told_as_plan import PlanReader
 from chatscene.imports.told_as_story import StoryReader
-from chatscene.imports.written_story import StoryProgram
+from chatscene.imports.written_story import StoryProgram, Told
+from chatscene.maps.carla_towns import PACKAGE, carla_town, how_to_have
 from chatscene.maps.left_hand import keeps_left, lanes_on_map
-from chatscene.maps.network import load_network
+from chatscene.maps.network import PACKAGED, load_network, resolve_map
+from chatscene.terms.actors import BY_CLASS, Manner
 from chatscene.terms.carried import Row, carries, program_in, with_values
 from chatscene.terms.mirrored_scenario import mirrored_attributes
+from chatscene.terms.plan import Expression
 from chatscene.terms.storyboard import Storyboard
+from chatscene.terms.sums import valued
+from chatscene.world.story.conditions import truth_of
+from chatscene.world.story.entities import Bounds, Entity
+from chatscene.world.story.places import Place, place_of
+
+
+class Maps:
+    """Finds the map of a scenario, each once: the one that is asked for, else the one that the scenario names."""
+
+    def __init__(self, path: Path, map_name: str | None) -> None:
+        self._path, self._asked = path, map_name
+        self._found: dict[str | None, Path] = {}
+        self._broken: dict[str | None, MapError | ScenarioError] = {}
+
+    def of(self, given: Given, root: Element) -> Path:
+        """The map, where parameters have these values.
+
+        Raises:
+            ScenarioError: The scenario names one that does not lie there, or none, and its places are told by roads.
+            MapError: The map is broken.
+        """
+        logic = root.find("RoadNetwork", "LogicFile")
+        named = self._named(logic, given) if self._asked is None else None
+        if named == "":
+            given.note(root, "it names no road network; a straight road lies under its ego, with open ground about")
+            return open_ground(root, given, self._path)  # wherever its ego begins
+        if named in self._broken:
+            raise self._broken[named]
+        if named not in self._found:
+            try:
+                found = resolve_map(self._asked or "") if named is None else _map_at(named, self._path, given)
+                load_network(found)  # whatever is the matter with the map, is no fault of a place in the file
+            except (MapError, ScenarioError) as error:
+                self._broken[named] = error
+                raise
+            self._found[named] = found
+        found = self._found[named]
+        if logic and named is not None and found == carla_town(found.stem):
+            given.note(
+                logic,
+                f"the map that it names is not there; it lies on CARLA's {found.stem} of the package {PACKAGE}",
+            )
+        return found
+
+    def _named(self, logic: Element | None, given: Given) -> str:
+        try:
+            named = given.text(logic, "filepath", "") if logic else ""
+        except Refused as reason:
+            raise ScenarioError(f"{self._path}: {reason}; name the map with --map") from reason
+        return named.replace("\\", "/")
+
+
+def _map_at(named: str, path: Path, given: Given) -> Path:
+    """The map that a scenario names: a file, or CARLA's town of that name where no such file is opened."""
+    try:
+        return _file_at(named, path, given)
+    except ScenarioError as error:
+        name = Path(named).stem
+        if (town := carla_town(name)) is not None:
+            return town
+        raise ScenarioError(f"{error}{how_to_have(name)}") from error
+
+
+def _file_at(named: str, path: Path, given: Given) -> Path:
+    """The map that a scenario names by a path from its own folder."""
+    if re.fullmatch(r"\w+", named):  # a name, and no file
+        if named in PACKAGED and not (path.parent / f"{named}.xodr").is_file():
+            return PACKAGED[named]
+        named += ".xodr"
+    if not named.endswith(".xodr"):
+        raise ScenarioError(f"{path}: its map {named[:60]!r} is not an .xodr file; name one with --map")
+    if ABSOLUTE.match(named):
+        beside = path.parent / Path(named).name
+        if os.path.normpath(Path.cwd() / named) != os.path.normpath(Path.cwd() / beside):
+            raise ScenarioError(
+                f"{path}: its map is named by a whole path, and none but one from the file's own folder is opened; "
+                f"name it with --map {shlex.quote(named[:200])}"
+            )
+        named = beside.name
+    where = relative(path, named, given.within)
+    plain = Path(os.path.normpath(where or path.parent / named))
+    if where is None or not lies_within(plain, given.within):
+        raise ScenarioError(f"{path}: its map {named[:60]!r} lies where nothing is opened; name one with --map")
+    return _checked(where, plain, path)
+
+
+def _checked(where: Path, plain: Path, path: Path) -> Path:
+    where = plain if plain.is_file() or not where.is_file() else where  # links may lead up another way
+    if where.is_file():
+        return where
+    raise ScenarioError(
+        f"{path}: its map {str(where)[-200:]!r} does not lie there; put it there, or name one with --map"
+    )
+
 
 _T = TypeVar("_T")
 
@@ -230,3 +330,70 @@ def _unless_refused(reading: Callable[[], _T], given: Given) -> _T | None:
     except Refused as reason:
         given.refusals.append(str(reason))
         return None
+
+
+# Edges that do not rise: what a story waits for holds from the beginning on, so that it never begins to hold
+
+
+_OF_THE_WORLD = frozenset(("time", "value", "number", "element", "never", "always"))
+
+
+class _First:
+    """A story before anything has happened in it."""
+
+    def __init__(self, story: StoryProgram, network: Any) -> None:
+        self.time, self.variables = 0.0, dict[str, Any]()
+        self._who = {
+            one.name: Entity(
+                SimpleNamespace(
+                    pose=(one.x, one.y, one.heading, one.speed),
+                    length=one.length,
+                    width=one.width,
+                    isWalker=one.kind in BY_CLASS and BY_CLASS[one.kind].row.manner is Manner.WALKS,
+                ),
+                one.name,
+                one.ahead,
+                network,
+                led=True,
+                bounds=Bounds(*one.bounds),
+            )
+            for one in story.members
+        }
+
+    def entity(self, name: str) -> Entity:
+        """Somebody by name."""
+        return self._who[name]
+
+    def place(self, told: tuple[Any, ...]) -> Place:
+        """A place."""
+        return place_of(told, self.entity)
+
+    def is_in(self, kind: str, name: str, state: str) -> bool:
+        """No part has begun."""
+        del kind, name, state
+        return False
+
+
+def holds_at_first(story: StoryProgram, network: Any, values: Mapping[str, float]) -> bool:
+    """Whether somebody but the ego waits for an edge to rise of what holds from the beginning on."""
+    asked = [what for edge, _, *what in _conditions(story) if edge == "rising" and what[0] not in _OF_THE_WORLD]
+    if not asked:
+        return False
+    world = _First(story, network)
+    return any(truth_of(tuple(_valued(part, values) for part in what), world)() for what in asked)
+
+
+def _conditions(story: StoryProgram) -> Iterator[Any]:
+    """All conditions by which acts begin, and events of others than the ego."""
+    for _, start, _, groups in story.acts:  # type: ignore[misc]
+        yield from (condition for group in start or () for condition in group)  # type: ignore[union-attr]
+        for _, _, actors, events in groups:  # type: ignore[misc, union-attr]
+            for event in events if actors != ("ego",) else ():  # type: ignore[union-attr]
+                yield from (condition for group in event[4] or () for condition in group)  # type: ignore[index, union-attr]
+
+
+def _valued(told: Told | Any, values: Mapping[str, float]) -> Any:
+    """A part of a story with a number in the place of each expression."""
+    if isinstance(told, tuple):
+        return tuple(_valued(one, values) for one in told)  # type: ignore[reportUnknownVariableType]
+    return valued(told, values) if isinstance(told, Expression) else told

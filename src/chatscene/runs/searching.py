@@ -6,9 +6,10 @@ any number of workers gives the same blocks.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import partial
+from itertools import groupby
 from typing import Any
 
 from chatscene.ego.policy import EgoPolicy, load_ego
@@ -26,15 +27,17 @@ from chatscene.runs.parallel import spread
 from chatscene.runs.progress import Progress, Slowly, silent
 from chatscene.runs.rebuild import map_of
 from chatscene.runs.record import RunRecord, Status, settings_of
-from chatscene.runs.selection import selected
+from chatscene.runs.rows import Part, SceneRow
 from chatscene.runs.tables import route_id
 from chatscene.runs.workspace import Workspace, update
 from chatscene.search.climb import climb, simulator_of
 from chatscene.search.explore import Block, outcomes
 from chatscene.search.generator import Generator, Written, load_generator
 from chatscene.search.sampler import looks_back
+from chatscene.search.select import Candidate, select
 from chatscene.settings import SearchSettings, Settings
 from chatscene.simulate.simulator import Simulator, routes_of, telling
+from chatscene.terms.criticality import Happening
 from chatscene.terms.outcome import Outcome
 from chatscene.terms.scenario import Said, Scenario
 from chatscene.terms.scene import ScenicProgram
@@ -285,3 +288,37 @@ def search_all(searches: Sequence[Search], *, workers: Workers) -> Iterator[Sear
     common = Common.of(searches[0].record)
     for result in spread(Desk, common, tasks, workers=workers, then=take_in):
         yield searches[result.number if isinstance(result, _Came) else result[0]]
+
+
+# Step 7 of 9 on what lies in a run folder
+
+
+def selected(parts: Iterable[Part], settings: SearchSettings) -> dict[str, bool]:
+    """Step 7 for every scenario and route of blocks in order: scene id to whether it is a fill-in."""
+    return {
+        s.scene_id: s.fill_in
+        for _, of_route in groupby(parts, key=lambda part: (part.scenario_id, part.route))
+        for s in select(
+            (_candidate(scene) for part in of_route for scene in part.scenes if scene.reason is None),
+            count=settings.keep,
+            selection=settings.selection,
+            avoidable_only=settings.avoidable_only,
+        )
+    }
+
+
+def _candidate(scene: SceneRow) -> Candidate:
+    return Candidate(
+        scene_id=scene.scene_id,
+        collided=bool(scene.collision),
+        shown=not scene.meaning_failures,
+        avoidable=scene.avoidable,
+        overall_score=scene.metrics["overall_score"],
+        crash_type=scene.crash_type,
+        waits=scene.waits,
+        happened=scene.happened != Happening.NOTHING,
+        near=scene.gap_in_time,
+        cut=scene.cut,
+        touch=scene.touch,
+        distance=scene.criticality.get("distance"),
+    )

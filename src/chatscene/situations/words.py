@@ -10,7 +10,20 @@ from collections.abc import Iterator, Mapping
 from itertools import chain
 from typing import TypeVar
 
-from chatscene.situations.naming import Named, called_of, form_of, named_by, numeral, ordinal, target_of
+from chatscene.situations.naming import (
+    Form,
+    Named,
+    Words,
+    called_of,
+    filled,
+    form_of,
+    joined,
+    named_by,
+    numeral,
+    ordinal,
+    sentence,
+    target_of,
+)
 from chatscene.situations.phrases import (
     ACTS,
     AHEAD,
@@ -38,7 +51,6 @@ from chatscene.situations.phrases import (
     Me,
     Voice,
 )
-from chatscene.situations.wording import Form, Words, filled, joined, sentence
 from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.amount import Amount
 from chatscene.terms.backing import backs

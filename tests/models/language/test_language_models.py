@@ -19,7 +19,7 @@ from pydantic import BaseModel, ConfigDict, Field, field_validator
 
 from chatscene.errors import LanguageModelError, MissingExtra, SettingsError
 from chatscene.files.caches import cache_folder
-from chatscene.models.language.checked import CheckedModel
+from chatscene.models.language.checked import CheckedModel, question_key, read_reply, write_reply
 from chatscene.models.language.completion import FREE, Completer, Message, Price
 from chatscene.models.language.openai_compatible import OpenAICompatible
 from chatscene.models.language.protocol import (
@@ -30,7 +30,6 @@ from chatscene.models.language.protocol import (
     Prompt,
     load_language_model,
 )
-from chatscene.models.language.reply_cache import question_key, read_reply, write_reply
 from chatscene.models.language.scripted import Scripted, from_file
 from chatscene.models.language.structured import LONGEST_REPLY, Unusable, read_answer, strict_schema
 from fault_server import chat, fault_server

@@ -2,16 +2,19 @@
 
 from __future__ import annotations
 
+import hashlib
 import json
 import time
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 
+from pydantic import BaseModel, ConfigDict, ValidationError
+
 from chatscene.errors import LanguageModelError, NoUsableReply, SettingsError
+from chatscene.files.caches import keep
 from chatscene.models.language.completion import Completer, Completion, JsonSchema, Message
 from chatscene.models.language.protocol import Answer, Budget, Limits, Prompt, Reply, Spending
-from chatscene.models.language.reply_cache import question_key, read_reply, write_reply
 from chatscene.models.language.structured import Unusable, instruction, read_answer, strict_schema
 
 _TOKENS_PER_TURN = 16  # more than any chat template adds to one turn
@@ -144,3 +147,42 @@ def _most_tokens(messages: Sequence[Message], schema: JsonSchema) -> int:
     """An upper bound of the tokens of a conversation: no tokenizer makes more of a text than it has bytes."""
     turns = sum(len(m.text.encode()) + _TOKENS_PER_TURN for m in messages)
     return turns + len(json.dumps(schema)) + len(instruction({})) + _TOKENS_PER_CHAT
+
+
+# Replies on disk, each in a file that is named by a hash of the question
+
+
+FORMAT = 1  # part of every key: raise it when a question is put in other words for the same prompt
+
+
+class _Entry(BaseModel):
+    model_config = ConfigDict(strict=True, extra="forbid")
+
+    key: str
+    text: str
+    sha256: str
+
+
+def question_key(identity: Mapping[str, str | int | float], messages: Sequence[Message], schema: JsonSchema) -> str:
+    """The address of a question: SHA-256 of the model, its address and parameters, the prompt and the schema."""
+    question = [FORMAT, dict(identity), [[m.role, m.text] for m in messages], schema]
+    return _sha256(json.dumps(question, sort_keys=True))
+
+
+def read_reply(folder: Path, key: str) -> str | None:
+    """The reply to a question, or None where there is none that is whole."""
+    try:
+        entry = _Entry.model_validate_json((folder / f"{key}.json").read_bytes())
+    except (OSError, ValidationError):
+        return None
+    return entry.text if entry.key == key and entry.sha256 == _sha256(entry.text) else None
+
+
+def write_reply(folder: Path, key: str, text: str) -> None:
+    """Keep a reply, under its name only when it is whole."""
+    entry = _Entry(key=key, text=text, sha256=_sha256(text))
+    keep(folder / f"{key}.json", entry.model_dump_json().encode())
+
+
+def _sha256(text: str) -> str:
+    return hashlib.sha256(text.encode()).hexdigest()
