@@ -17,7 +17,7 @@ from chatscene.errors import NothingFits
 from chatscene.interpret.suggest import SERVED
 from chatscene.maps.network import resolve_map
 from chatscene.program.check import check
-from chatscene.read.english import is_english
+from chatscene.read.reader import is_english
 from chatscene.report.filled import explain_text
 from chatscene.report.stated import Stated
 from chatscene.settings import Settings, SimulationSettings

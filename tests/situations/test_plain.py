@@ -11,7 +11,7 @@ import pytest
 import yaml
 from pydantic import TypeAdapter
 
-from chatscene.situations.plain import NotPlain, plain, situation_in
+from chatscene.situations.form import NotPlain, plain, situation_in
 from chatscene.terms.amount import Length, Speed
 from chatscene.terms.situation import Situation
 from chatscene.terms.vocabulary import UserKind

@@ -16,9 +16,8 @@ from pathlib import Path
 
 from chatscene.errors import NothingFits, SettingsError
 from chatscene.files.bounded import check_file
-from chatscene.read.english import check_english, is_english
 from chatscene.read.learned.reader import LearnedReader
-from chatscene.read.reader import LONGEST, Reader
+from chatscene.read.reader import LONGEST, Reader, check_english, is_english
 from chatscene.terms.conflict import Conflict
 from chatscene.terms.reading import SituationReading, Verdict
 from chatscene.terms.situation import Situation

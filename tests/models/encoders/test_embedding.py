@@ -19,8 +19,16 @@ from chatscene.errors import MissingExtra, SettingsError
 from chatscene.interpret.nearest import nearest
 from chatscene.library.load import Library, load_library
 from chatscene.models.encoders import embedding
-from chatscene.models.encoders.embedding import EMBEDDERS, Embedder, MiniLM, encode_cached, load_embedder, plain
-from chatscene.models.encoders.wordpiece import VOCABULARY, tokenize
+from chatscene.models.encoders.embedding import (
+    EMBEDDERS,
+    VOCABULARY,
+    Embedder,
+    MiniLM,
+    encode_cached,
+    load_embedder,
+    plain,
+    tokenize,
+)
 from chatscene.plugins import make
 from chatscene.terms.scenario import Component
 from chatscene.testing import check_encoder

@@ -7,9 +7,8 @@ import onnxruntime
 import pytest
 from numpy.typing import NDArray
 
-from chatscene.models.encoders.embedding import MiniLM, plain
+from chatscene.models.encoders.embedding import MiniLM, plain, tokenize
 from chatscene.models.encoders.onnx_cut import OnnxFile
-from chatscene.models.encoders.wordpiece import tokenize
 from chatscene.read.learned.weights import load
 
 TEXTS = ("", "A bus!", "A cyclist rides out from the left and stops in front of us.", "the van waits, and " * 80)

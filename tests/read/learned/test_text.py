@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from chatscene.models.encoders.wordpiece import tokenize
+from chatscene.models.encoders.embedding import tokenize
 from chatscene.read.learned.text import LONGEST, prepared
 
 TEXT = "VUT at 50 km/h, lead 1.2 s ahead brakes with 4 m/s² to standstill."

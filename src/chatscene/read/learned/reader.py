@@ -10,7 +10,6 @@ from pathlib import Path
 
 from chatscene.read.blows import settled
 from chatscene.read.ego_named import owned_kind
-from chatscene.read.english import check_english
 from chatscene.read.kinds import finer, is_named
 from chatscene.read.learned.decoder import Decoder, Written
 from chatscene.read.learned.evidence import marked_in, quoted_of
@@ -21,7 +20,7 @@ from chatscene.read.learned.sequence import path_of, situation_of, verdict_of
 from chatscene.read.learned.text import Read, prepared
 from chatscene.read.learned.weights import PACKAGED, load
 from chatscene.read.quotes import is_a_duty, spans_of, unread, without_words
-from chatscene.read.reader import check_text
+from chatscene.read.reader import check_english, check_text
 from chatscene.read.users_unread import users_unread
 from chatscene.settings import OFFLINE
 from chatscene.situations.facts import is_said, with_fact

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from itertools import pairwise
 
-from chatscene.models.encoders.wordpiece import tokenize
+from chatscene.models.encoders.embedding import tokenize
 from chatscene.read.learned.numbers import Found, amounts_in
 
 LONGEST = 192
