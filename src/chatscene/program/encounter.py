@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from chatscene.program.contacts import is_with
 from chatscene.program.deeds import LOSING, MOVING, STANDING
 from chatscene.program.doing import GOES_WITH
-from chatscene.program.finding import Finding
+from chatscene.program.finding import Finding, Late
 from chatscene.program.gone_by import past
 from chatscene.program.meaning import TOGETHER
 from chatscene.simulate.boxes import Boxes, gaps, near_any, overlaps, times_to_collision
@@ -101,7 +101,18 @@ def encounter(
     if math.isinf(least.between):
         told = f"it is nowhere within {LONGEST:g} s of the ego"
     told = f"they could not meet: {told}, and never nearer than {gap:.1f} m"
-    return Finding(path=path, shown=None if crash is not None else False, told=told)
+    late = _late(least, ego, tracks[0], since)
+    return Finding(path=path, shown=None if crash is not None else False, told=told, late=late)
+
+
+def _late(meets: Meeting, ego: Track, track: Track, since: int) -> Late | None:
+    """How much too late somebody is who does not meet the ego; None where that is not told by time or place."""
+    fast = max(float(np.abs(track.speed[since:]).max(initial=0.0)), 1.0)
+    if math.isfinite(meets.between):
+        seconds = meets.between if meets.ego_first else -meets.between
+        return Late(seconds=seconds, metres=seconds * fast)
+    behind = float(past(ego, track)[since])
+    return Late(seconds=behind / fast, metres=behind) if behind > 0.0 else None
 
 
 def _between(meets: Meeting) -> float:

@@ -126,12 +126,13 @@ class _Judge:
         return self.episode.collision.step if self.episode.collision is not None and not self.through else None
 
     def findings(self) -> Iterator[Finding]:
-        """What is shown; where the ego had gone by, what was said to come of a deed does not come of it."""
+        """What is shown; what was said to come of a meeting does not come of one that there was not."""
         found = tuple(self._findings())
-        late = {one.path.rpartition(".")[2] for one in found if one.late is not None}
+        ways = (one.path.partition(".") for one in found if one.shown is False)
+        missed = {who for about, _, who in ways if about == "encounter"}
         for one in found:
-            if late and one.shown and (whom := self._comes_of(one.path)) in late:
-                yield replace(one, shown=False, told=f"{one.told}, but the ego had gone by {whom}")
+            if missed and one.shown and (whom := self._comes_of(one.path)) in missed:
+                yield replace(one, shown=False, told=f"{one.told}, but the ego does not meet {whom}")
             else:
                 yield one
 

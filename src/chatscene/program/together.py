@@ -18,12 +18,13 @@ from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.conclusions import JUNCTIONS
 from chatscene.terms.episode import Episode, Track
 from chatscene.terms.situation import Other, Situation
-from chatscene.terms.vocabulary import COMES_IN, LOSES, PLAIN, Role, Where
+from chatscene.terms.vocabulary import COMES_IN, LOSES, PLAIN, Act, Role, Where
 
 FREE = 0.5  # [s] by which somebody may be early or late
 BEFORE = 3.0  # [s] before somebody crosses the road that another may have come by, which is not to strike it
 SHORT = 20.0  # [m] before who crosses, within which another stops for it
 MOVES = 0.5  # [m/s]: who is faster has set out
+SLOW_BEFORE = 1.0, 4.0  # [s] before who stands, that somebody is slowest who loses speed for that one
 BRAKES, REACTS = 5.0, 0.3  # [m/s²], [s]
 _BESIDE_ROAD = frozenset((Where.ROADSIDE, Where.CROSSING, Where.KERB, Where.DRIVEWAY, Where.BUS_BAY))
 _UP_BESIDE = frozenset((Where.BESIDE, Where.BEHIND_BESIDE))
@@ -50,6 +51,8 @@ def _late(situation: Situation, one: Other, tracks: Mapping[str, Track], dt: flo
     if one.starts.distance is not None or any(deed.when is not None for deed in one.does) or one.role is Role.HIDES:
         return 0.0
     acts = [deed.act for deed in one.does]
+    if one.starts.where is Where.AHEAD and acts[:1] == [Act.STAND]:
+        return _stands_before(situation, one, tracks)
     drives = one.kind.moves is not Moves.WALKS and bool(acts)
     if drives and acts[-1] in LOSES and one.starts.where in _UP_BESIDE | {Where.ONCOMING}:
         return max((_stops(tracks, one, by) for by in _crossing(situation, one)), key=abs, default=0.0)
@@ -59,6 +62,20 @@ def _late(situation: Situation, one: Other, tracks: Mapping[str, Track], dt: flo
         met = next((by for by in situation.adversaries if by.id != one.id and by.starts.where in _BESIDE_ROAD), None)
         return 0.0 if met is None or met.id not in tracks else _by(tracks, one, met, dt)
     return 0.0
+
+
+def _stands_before(situation: Situation, one: Other, tracks: Mapping[str, Track]) -> float:
+    """How much too late [s] who loses speed comes to somebody who stands ahead in its lane, as it is slowest."""
+    stands, found = tracks[one.id], list[float]()
+    for by in situation.others:
+        slows = by.starts.where is Where.AHEAD and any(deed.act in LOSES for deed in by.does)
+        if slows and by.id in tracks and abs(float(stands.speed[0])) < MOVES:
+            who = tracks[by.id]
+            at = int(who.speed.argmin())
+            slow = max(float(who.speed[at]), 1.0)
+            gap = math.hypot(stands.x[at] - who.x[at], stands.y[at] - who.y[at]) - 0.5 * (stands.length + who.length)
+            found.append(_outside(gap, slow * SLOW_BEFORE[0], max(slow * SLOW_BEFORE[1], SHORT)))
+    return max(found, key=abs, default=0.0)
 
 
 def _crossing(situation: Situation, one: Other) -> Iterator[Other]:

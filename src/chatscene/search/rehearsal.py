@@ -48,6 +48,8 @@ STEPS: dict[str, tuple[float, ...]] = {"s": (0.5, 1.0, 2.0, 3.0, 4.0), "m": (2.0
 """By how much more or less ranges are shifted, by their units: when somebody acts first, then where it is."""
 MOMENTS = ("OFFSET", "LEAD_TIME")
 """How the names of parameters end that are by how much somebody is sooner, and no sizes."""
+ALONG = "_Y"
+"""How the names of parameters end that are where somebody is along the road."""
 NEARER = (0.5, 0.25, 2.0)
 """By which factors places are moved, too: a road may be long."""
 CUT = 4  # drives, in one of which a fact more may not be come to, since it is over before
@@ -170,7 +172,7 @@ def _together(stage: _Stage, best: _Tried, bound: Iterable[str]) -> _Tried:
 def _its_own(program: ScenicProgram, bound: Iterable[str], who: str) -> Iterator[ParameterRange]:
     """The free ranges of somebody's time and place, places first."""
     own = [_named(program, name) for name in _free(program, bound) if f"_{who}_" in name]
-    yield from sorted((one for one in own if one.unit in STEPS), key=lambda one: one.unit)
+    yield from sorted((one for one in own if one.name.endswith((ALONG, *MOMENTS))), key=lambda one: one.unit)
 
 
 def _narrowed(stage: _Stage, best: _Tried, bound: Iterable[str]) -> _Tried:
