@@ -1,38 +1,4 @@
-"""Every error chatscene raises, as one tree.
-
-::
-
-    ChatSceneError
-    ├ SettingsError            a setting or argument is out of range, or names nothing
-    ├ MissingExtra             something needs an optional package that is not installed
-    ├ NotBuilt                 a situation says something that nothing here builds, or that no map has
-    │  ├ NothingBuilds         no code builds it, however fast the ego is
-    │  └ NoSuchPlace           no map has a place with all that was said of it
-    │     └ NoSuchRoad         no map has such a road at all
-    ├ NothingFits              the sentence was understood; no triple of snippets serves it
-    ├ EditRefused              an edit has words that nobody understands, or contradicts what stays
-    ├ MapError                 a map is missing, broken, or lacks the geometry asked for
-    │  └ UnreadRoad            one of its roads cannot be made into lanes
-    ├ SituationError           a written situation has words, sides or names that there are not
-    ├ SnippetError             a library file is malformed, or breaks its own contract
-    ├ ProgramError
-    │  ├ ForeignCodeRefused    a stranger's program uses what strangers may not use
-    │  ├ NamesNotClosed        a name is used that no part of the program defines
-    │  ├ DoesNotCompile        Scenic refuses the text
-    │  ├ Unsatisfiable         no scene could be sampled
-    │  └ MeansSomethingElse    it runs, but the tracks do not show what was said
-    ├ SimulationError
-    │  ├ StuckBehavior         code does not come back in its time
-    │  ├ Diverged              a replay differs from what was stored
-    │  ├ ServerError           a simulator's server is not there, is another version, or was lost
-    │  └ SandboxError          the confined process could not be made, or does not answer
-    │     └ ProgramStopped     a confined program was stopped, or answered nonsense
-    ├ EgoError                 an ego cannot be loaded, or acts out of contract
-    ├ ScenarioError            a scenario of another format cannot be read, or says what cannot be said here
-    ├ RunError                 a run folder cannot be written, read or continued
-    ├ QueryError               a query over runs is no SQL, asks for what there is not, or is refused
-    └ LanguageModelError       a language model gave no reply, or none within its budget
-       └ NoUsableReply         it gave replies, and none that could be used
+"""Every error chatscene raises, as one tree below `ChatSceneError`.
 
 A message says what happened, where, and what to do.
 """

@@ -90,14 +90,7 @@ class SituationRecord(_Frozen):
 
 
 class ReportRecord(_Frozen):
-    """The report that a text was found in; see `chatscene.terms.conflict.Conflict`.
-
-    Attributes:
-        name: What it is called.
-        number: Which of its conflicts the text tells, from 1.
-        of: How many it tells.
-        left_out: Its passages that are in no conflict.
-    """
+    """The report that a text was found in; see `chatscene.terms.conflict.Conflict`."""
 
     name: str
     number: int
@@ -111,9 +104,6 @@ class SourceRecord(_Frozen):
     Attributes:
         folder: Its folder as seen from the evaluation's, so that both can be moved together; an absolute path in
             records of before.
-        scenario_id: Its scenario.
-        base: The base scenario it belongs to.
-        generator: Who made its scenes.
         first_route: Scenes on earlier routes are left out.
         kept_for: The ego against which its scenes were selected; empty where every scene is driven.
     """
@@ -166,10 +156,6 @@ class Record(_Frozen):
     field with one says what has become of it, or may be another the next time.
 
     Attributes:
-        kind: What the folder holds.
-        schema_version: Of the whole folder.
-        status: How far the work came.
-        reason: Why it failed or was refused; else empty.
         settings: All settings, resolved.
         versions: Of what the numbers depend on.
         timings: Seconds by phase, and whatever else differs between two equal runs.
@@ -207,12 +193,10 @@ class MapRecord(Record):
     """What has egos drive on a map.
 
     Attributes:
-        map_name: The map as it was given.
         map_digest: SHA-256 of its file; empty in the records of older versions.
         egos: As they were given: the surrogate of a run, or those that are measured.
         ego_digests: SHA-256 of each ego that is a file, by the ego as it was given.
         senses: What each ego sees and brakes with, by ego, as `chatscene.ego.policy.senses_of` names it.
-        simulator: What runs the scenes.
         counts: scenes, ran, rejected, collided, off_road, timeout, waiting, selected, selected_shown, fill_in; empty
             until there are some. Older records lack some of them.
         stepped: How many drives each simulator stepped; empty in the records of older versions.
@@ -254,9 +238,6 @@ class RunRecord(MapRecord):
 
     Attributes:
         text: The sentence; empty for a program of the user's own and for a situation.
-        program: A program of the user's own; None for a sentence.
-        situation: The situation, where one was stated in place of a sentence.
-        generator: Who makes the scenes.
         edits: What was changed of the sentence, edit by edit; asked for, though older records have none.
         edited_from: Absolute path of the run that the last edit was of; empty if none was.
         report: The report that the sentence was found in; None for one that was given by itself.
@@ -304,8 +285,6 @@ class EvaluationRecord(MapRecord):
     """An evaluation: egos on the scenes of runs.
 
     Attributes:
-        scenes: Which of them.
-        sources: The runs.
         speed: What egos drive at [km/h] where none was said; None for what the programs have. Asked for, though older
             records have none.
         failures: Why an ego was given up, by ego.
@@ -354,8 +333,6 @@ class BenchmarkRecord(MapRecord):
     """A benchmark: a generator's runs for all base scenarios, and an evaluation of them.
 
     Attributes:
-        generator: Who makes the scenes.
-        budget: How much it may try, by name.
         surrogate: The ego that scenes are searched against.
         refused: Scenarios that could not be searched with, and why, by text.
     """
@@ -407,14 +384,9 @@ class FinetuningRecord(Record):
 
     Attributes:
         ego_digests: SHA-256 of each ego that is a file, by the ego as the settings name it.
-        scenes: Which scenes.
         sources: Absolute paths of the runs that they were read from last.
-        warm_up: What teaching the critics came to.
         before: Figures of the start policy, by what was driven: ``train``, ``choice``, ``test``, ``ordinary``.
-        skipped: Why a kept scene could not be driven, by scene.
-        curve: One row per round that is done.
         chosen: The row of the ego that was kept; empty until one is.
-        chosen_why: Why that one.
         after: The figures of the chosen ego, as `before`.
     """
 
@@ -444,10 +416,7 @@ class TrainingRecord(Record):
     """A training of an ego on ordinary drives.
 
     Attributes:
-        map_digest: SHA-256 of the map's file.
-        simulator: What runs the drives.
         steps: How long it is to be; it may go on for longer.
-        curve: One row per round that is done.
     """
 
     kind = Kind.TRAINING
