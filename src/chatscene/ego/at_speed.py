@@ -51,12 +51,7 @@ class Other:
 
 
 def bends(seen: Observation, k: float) -> tuple[list[float], list[float]]:
-    """Where the route leads [rad, in the ego's frame]: how far ahead [m], and the direction there.
-
-    Args:
-        seen: The preset ``traffic``, or any that begins as it does.
-        k: How many times as far it looks as ``actors``.
-    """
+    """Where the route leads [rad, in the ego's frame]: how far ahead [m], and the direction there."""
     leads = -float(seen[2])
     offset = float(seen[1])
     x, y = offset * math.sin(leads), -offset * math.cos(leads)  # of the route beside the ego
@@ -80,14 +75,7 @@ def bearing_at(along: float, middles: list[float], bearings: list[float]) -> flo
 
 
 def other(row: list[float], k: float, middles: list[float], bearings: list[float]) -> Other:
-    """Somebody of an observation, in coordinates of the route.
-
-    Args:
-        row: One of the preset's.
-        k: How many times as far the preset looks as ``actors``.
-        middles: Of `bends`.
-        bearings: Of `bends`.
-    """
+    """Somebody of an observation, in coordinates of the route."""
     _, along, beside, _, _, vx, vy, turned, half_length, half_width, walks = row
     way = bearing_at(min(along, AHEAD[-1] * k), middles, bearings)
     c, s = math.cos(way), math.sin(way)

@@ -59,16 +59,7 @@ class Others:
 
 
 def expected(observation: Observation, caution: Caution, body: Limits, k: float, *, at_speed: bool) -> Others | None:
-    """What everybody near may do; None where nobody is.
-
-    Args:
-        observation: The preset ``road``, or ``traffic``.
-        caution: What is expected of others, and how much that is believed.
-        body: What the ego drives.
-        k: How many times as far the preset looks as ``actors``.
-        at_speed: Whether it is ``traffic``. Then where the route leads is told from its bends, nobody is expected to
-            step into the way but who walks, and who follows us to brake when we do.
-    """
+    """What everybody near may do; None where nobody is."""
     rows = observation[OWN:ROAD].reshape(-1, PER_ACTOR)
     if not (count := len(rows := rows[rows[:, 0] > 0.0])):
         return None

@@ -99,11 +99,7 @@ def _stable_baselines(path: Path) -> EgoPolicy:
 
 
 def _activation(told: object, path: Path) -> str:
-    """What comes after each layer, if it is one of torch's own.
-
-    Raises:
-        EgoError: It is another's, of whatever name.
-    """
+    """What comes after each layer, if it is one of torch's own."""
     found = re.fullmatch(r"<class 'torch\.nn\.modules\.activation\.(\w+)'>", str(told))
     if found is None:
         raise EgoError(
@@ -116,11 +112,7 @@ def _activation(told: object, path: Path) -> str:
 def _check_parts(
     about: Mapping[str, Any], choices: Mapping[str, Any], state: State, names: Sequence[str], path: Path
 ) -> None:
-    """Refuse a policy that does more than its layers do, which would be left out.
-
-    Raises:
-        EgoError: It has weights that are neither of its layers nor of what only learns, or code of its own.
-    """
+    """Refuse a policy that does more than its layers do, which would be left out."""
     read = {f"{name}.{part}" for name in names for part in ("weight", "bias")}
     more = [key for key in sorted(map(str, state)) if key not in read and not key.startswith(ONLY_LEARNS)]
     if more:
@@ -136,11 +128,7 @@ def _check_parts(
 
 
 def _check_spaces(about: Mapping[str, Any], path: Path) -> None:
-    """Refuse what looks like an ego by the shapes of its weights and is none by its spaces.
-
-    Raises:
-        EgoError: It chooses among discrete actions, acts beyond [-1, 1], or sees anything but one row of numbers.
-    """
+    """Refuse what looks like an ego by the shapes of its weights and is none by its spaces."""
     sees, acts = _fields(about, "observation_space"), _fields(about, "action_space")
     shape = sees.get("_shape")
     row = not shape or (isinstance(shape, list) and len(shape) == 1)
@@ -258,16 +246,7 @@ class _Asked:
 
 
 def _asked(ask: Callable[[np.ndarray[Any, Any]], Any], path: Path, wants: str) -> EgoPolicy:
-    """The ego of a model, whose preset is found by trying which size of input it takes.
-
-    Args:
-        ask: Asks it.
-        path: Its file.
-        wants: What its file says that it takes, if no observation is that; else empty.
-
-    Raises:
-        EgoError: It takes no observation, or its answers are none.
-    """
+    """The ego of a model, whose preset is found by trying which size of input it takes."""
     problems: list[str] = []
     for observation, size in OBSERVATIONS.items():
         ego = _Asked(ask, path.stem, observation)

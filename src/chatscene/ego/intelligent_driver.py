@@ -27,16 +27,7 @@ CAR = LIMITS["Car"]
 
 
 class IntelligentDriver:
-    """IDM and AEB on the preset ``actors``, with the whole brake pedal; at a speed that is wanted, `TrafficDriver`.
-
-    Args:
-        speed: Wanted [m/s].
-        body: What the vehicle can do that it drives.
-
-    Attributes:
-        speed: As it was given.
-        body: As it was given.
-    """
+    """IDM and AEB on the preset ``actors``, with the whole brake pedal; at a speed that is wanted, `TrafficDriver`."""
 
     name = "idm"
     observation = "actors"

@@ -88,12 +88,7 @@ class Network:
         return int(self.layers[0][0].shape[1])
 
     def __call__(self, observation: Observation, at_most: float | None = None) -> tuple[float, float]:
-        """Acceleration and steering in [-1, 1].
-
-        Args:
-            observation: (`size`,).
-            at_most: As of the network, if another.
-        """
+        """Acceleration and steering in [-1, 1]."""
         at_most = self.at_most if at_most is None else at_most
         x = observation.astype(np.float32)
         if at_most > 0.0:

@@ -53,8 +53,6 @@ class Planner:
 
     Attributes:
         caution: What its ways are weighed by, with the speed that is wanted.
-        body: As it was given.
-        wants: As it was given.
         discount: (T,) what a crash that is expected then counts.
     """
 

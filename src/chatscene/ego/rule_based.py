@@ -19,9 +19,6 @@ class RuleBased:
 
     Args:
         speed: Wanted [m/s], where the route does not bend.
-
-    Attributes:
-        speed: As it was given.
     """
 
     def __init__(self, speed: float = TARGET_SPEED) -> None:

@@ -34,11 +34,6 @@ class TrafficDriver:
         body: What the vehicle can do that it drives.
         all_around: Whether it sees everybody, or only what is in its lane and does not walk, as an adaptive cruise
             control does.
-
-    Attributes:
-        speed: As it was given.
-        body: As it was given.
-        all_around: As it was given.
     """
 
     observation = "traffic"

@@ -16,9 +16,6 @@ UNFINISHED = "unfinished"
 def alone_in(folder: Path) -> Generator[None]:
     """Keep others out of a folder until what is done in it is over.
 
-    Args:
-        folder: Made if it is not there; taken away again if the work fails before it has written anything.
-
     Raises:
         SettingsError: Another one is there, or the folder cannot be made.
     """

@@ -47,11 +47,6 @@ def time_for(root: Xml.Element) -> int:
 def read_apart(path: Path, root: Xml.Element, load: Callable[[Path], Any]) -> Any:
     """The network of a map, made by another process.
 
-    Args:
-        path: The map.
-        root: What it holds.
-        load: Reads a file that the process has written.
-
     Raises:
         MapError: It cannot be made into lanes, or not within its time or the memory of this machine; the road at which
             that was is named.

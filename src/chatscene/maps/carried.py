@@ -12,12 +12,7 @@ from chatscene.files.caches import cache_folder, keep
 
 @dataclass(frozen=True, slots=True)
 class CarriedMap:
-    """A map, with its text.
-
-    Attributes:
-        path: Where it lies on the machine that it comes from.
-        content: The file.
-    """
+    """A map, with its text."""
 
     path: Path
     content: bytes

@@ -53,10 +53,6 @@ class CrossingPath:
 def conflicting_paths(network: Any, route: Route) -> tuple[CrossingPath, ...]:
     """The ways of other vehicles through a route's junction that meet the route.
 
-    Args:
-        network: Scenic's road network.
-        route: The ego's route; one without a junction has no conflicts.
-
     Returns:
         Straight ways first, then left turns, then right turns; each at most once per pair of lanes.
     """

@@ -51,12 +51,7 @@ def _lies_at_another(roads: dict[str | None, Xml.Element], connection: Xml.Eleme
 
 
 def join_directly(network: Any, root: Xml.Element) -> None:
-    """Let the lanes of a network lead on as the direct junctions that were set aside say.
-
-    Args:
-        network: Scenic's, which is changed.
-        root: The map of which it was made.
-    """
+    """Let the lanes of a network lead on as the direct junctions that were set aside say."""
     from scenic.domains.driving.roads import Maneuver, ManeuverType
 
     roads = {road.id: road for road in network.allRoads}

@@ -25,11 +25,6 @@ class Cut(NamedTuple):
 def write_loadable(path: Path, xodr: bytes, extract: Path) -> tuple[Cut, ...]:
     """Write a map without the joints that cannot be made into lanes.
 
-    Args:
-        path: Where to; nothing is left there if the map cannot be loaded.
-        xodr: The map as netconvert made it.
-        extract: What it was made of.
-
     Returns:
         What was cut out; a street ends there.
 

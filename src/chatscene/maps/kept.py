@@ -17,11 +17,6 @@ def kept(element: Any, name: str, make: Callable[[Any], Kept]) -> Kept:
 
     What a lane knows of its network is a weak reference, and elements of two maps may be equal: so nothing is
     remembered by them, but on them. There is at most one of each name for each element.
-
-    Args:
-        element: Scenic's network, or a lane or junction of it.
-        name: What it is called there; nothing of Scenic's own.
-        make: Makes it of the element, always the same.
     """
     there = getattr(element, name, None)
     if there is None:

@@ -38,9 +38,6 @@ def middle_line(lane: Any) -> Polyline:
     """The middle of a lane [m], map frame, in driving order, at most 2 mm beside its curve.
 
     Where the map does not tell it so that it lies where Scenic has the lane, it is Scenic's own line.
-
-    Args:
-        lane: Scenic's lane.
     """
     return kept(lane, "middle_line", _middle_line)
 
@@ -104,9 +101,6 @@ class End:
 
 class DrawnRoad:
     """A road as it is written.
-
-    Args:
-        road: Its element, in the plain form.
 
     Attributes:
         name: As its map has it.

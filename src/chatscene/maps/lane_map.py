@@ -19,9 +19,6 @@ _SEAM = 0.05  # [m]; neighbouring lanes of a map do not quite touch
 class LaneMap:
     """The lanes of a network, prepared for questions about many points at once.
 
-    Args:
-        network: Scenic's road network.
-
     Attributes:
         lane_ids: Scenic's id of each lane, in the order of the indices that `lane_index` gives.
     """

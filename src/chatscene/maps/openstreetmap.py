@@ -53,9 +53,6 @@ class _Way:
 def read_extract(path: Path) -> Extract:
     """What an extract of OpenStreetMap holds.
 
-    Args:
-        path: An ``.osm`` file, OSM XML.
-
     Raises:
         MapError: There is none, it is too large or no OSM XML, or nothing in it is a street.
     """

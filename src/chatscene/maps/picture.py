@@ -97,12 +97,7 @@ def _turned(x: Array, y: Array, turn: float) -> tuple[Array, Array]:
 
 
 def draw_ground(camera: Camera, drawing: Mapping[str, Any]) -> Image.Image:
-    """The map as a large picture.
-
-    Args:
-        camera: Where it is seen from.
-        drawing: What `chatscene.maps.drawing.map_drawing` gives.
-    """
+    """The map as a large picture."""
     picture = Image.new("RGB", (WIDTH * OVERSAMPLE, HEIGHT * OVERSAMPLE), GROUND)
     brush = ImageDraw.Draw(picture)
     for kind, colour in AREAS.items():

@@ -18,10 +18,6 @@ BESIDE = 8.0  # [m] from the ego's way at most to the nose of a ramp that leaves
 def off_ramp_line(network: Any, route: Route) -> Polyline:
     """The middle of the lane that leads to the nearest ramp off the road beside a route, and on down that ramp.
 
-    Args:
-        network: Scenic's road network.
-        route: The ego's.
-
     Raises:
         MapError: No ramp leads off its road.
     """

@@ -29,10 +29,6 @@ _LAP = 0.3  # of the ring, behind which it leads back to the ego's entry
 def ring_ways(network: Any, route: Route) -> tuple[CrossingPath, ...]:
     """The ways of others in the roundabout that a route leads through, that meet it.
 
-    Args:
-        network: Scenic's road network.
-        route: The ego's; one that leads through no roundabout meets nobody.
-
     Returns:
         By where they come from: ``round``, who is in the ring when it begins and comes to the ego's entry; then who
         enters from the arms to the ``left``, ``right`` and ``oncoming``, as the ego sees them from its entry. Who
@@ -82,11 +78,6 @@ def line_beside(network: Any, route: Route, side: str) -> Polyline:
 
     There who is to the left leaves by the ego's exit, if one can, and who is to the right goes on round: the ego, in
     the inner lane, crosses its way.
-
-    Args:
-        network: Scenic's road network.
-        route: The ego's.
-        side: ``left`` or ``right``, seen from the ego.
 
     Raises:
         MapError: No lane of cars lies directly on that side.

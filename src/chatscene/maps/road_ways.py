@@ -50,13 +50,7 @@ def reached(way: Sequence[Stretch], along: float) -> tuple[Stretch, float]:
 
 
 def roads_between(roads: Mapping[str, DrawnRoad], begin: OnRoad, goal: OnRoad) -> list[Stretch] | None:
-    """The shortest way by roads, whichever way they run, from one place to another; None where there is none.
-
-    Args:
-        roads: Those of a map, by number.
-        begin: Where it begins.
-        goal: Where it ends.
-    """
+    """The shortest way by roads, whichever way they run, from one place to another; None where there is none."""
     (name, s), (last, to) = begin, goal
     if name == last:
         return [Stretch(name, s, to, 1 if to >= s else -1)]

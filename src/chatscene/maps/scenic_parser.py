@@ -36,12 +36,7 @@ class _Etree:
 
 
 def outside(element: Any, line: Any) -> float:
-    """How far [m] a line of an element of a network runs outside the element's area.
-
-    Args:
-        element: Scenic's element.
-        line: Scenic's region of a line, or of an area.
-    """
+    """How far [m] a line of an element of a network runs outside the element's area."""
     area = shapely.union_all(element.polygons)
     points = shapely.points(shapely.get_coordinates(getattr(line, "lineString", None) or line.polygons))
     return float(shapely.distance(area, points).max())

@@ -18,13 +18,7 @@ _SLACK = 0.5  # [m/s], by which limits are rounded
 
 
 def lies_in(network: Any, lane: Any, setting: Setting) -> bool:
-    """Whether a lane outside junctions lies in a setting: by its width and sidewalks, and by what its map allows.
-
-    Args:
-        network: Scenic's road network.
-        lane: Scenic's lane.
-        setting: Which.
-    """
+    """Whether a lane outside junctions lies in a setting: by its width and sidewalks, and by what its map allows."""
     if along(network, lane_runs(network)[lane.uid], Site.RURAL):
         return setting is Setting.RURAL
     if lane.road.id in car_parks(network) or setting is Setting.RURAL or lane.group.uid in _motorways(network):

@@ -47,10 +47,7 @@ class MapDescription:
     """What a map offers.
 
     Attributes:
-        name: File name without suffix.
-        file: Where it lies.
         keeps: To which side traffic keeps: ``left`` or ``right``.
-        roads: Roads outside junctions.
         lanes: Driving lanes outside junctions.
         lane_kilometres: Their length together [km].
         sidewalks: Sidewalks along roads and round corners.

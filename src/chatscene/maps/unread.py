@@ -29,12 +29,7 @@ _RANGES = ("normalized", "arcLength")
 
 
 def why_unread(root: Xml.Element, error: Exception) -> str:
-    """Why the parser gave up on a map.
-
-    Args:
-        root: The map.
-        error: What the parser raised.
-    """
+    """Why the parser gave up on a map."""
     for road in root.iter("road"):
         if (fault := next(_of_road(road), None)) is not None:
             return f"road {name_of(road)!r} {fault}"

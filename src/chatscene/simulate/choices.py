@@ -80,9 +80,6 @@ def not_there(error: BaseException) -> str:
 def choices_of(scenario: Any) -> Choices | None:
     """Which ways to choose serve, whatever the values of the parameters.
 
-    Args:
-        scenario: Scenic's, as `chatscene.world.compilation` compiles it.
-
     Returns:
         None where nothing is chosen of what is not there, or too much.
     """

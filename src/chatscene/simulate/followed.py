@@ -11,10 +11,6 @@ from chatscene.terms.written_plans import WrittenPlan, written_plans
 class FollowedPlans:
     """The plans of a program, and how far who follows them is.
 
-    Args:
-        source: The program's text.
-        simulation: Its scene, in progress.
-
     Attributes:
         plans: The plans in the text by the names of their behaviors.
     """

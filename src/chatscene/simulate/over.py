@@ -189,12 +189,6 @@ def over_of(
 ) -> Over | None:
     """What watches a drive for its end; None where its program does not ask for it, or does what no plan says.
 
-    Args:
-        params: Of the program.
-        objects: Everything in the scene, the ego first.
-        plans: The plans in the program's text.
-        known: What `Over` knows besides.
-
     Raises:
         ProgramError: There is no such end.
     """

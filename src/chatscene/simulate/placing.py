@@ -40,10 +40,6 @@ class NoFunction(Exception):  # noqa: N818 - reads as what it says
 class Placement:
     """Where things stand in a program on a route, for any values of its parameters.
 
-    Args:
-        scenario: Scenic's scenario of it.
-        placed: A scene of it as it began, closed.
-
     Attributes:
         parameters: The names of what is set in each scene.
         moved: Of the things of a scene, the ego first, which are elsewhere in another.
@@ -109,12 +105,6 @@ class Placement:
     def again(self, simulation: SteppedSimulation, values: Mapping[str, float], seed: int, physics: Physics) -> None:
         """Make a scene that `scene` placed another one, if that is all in which they differ (`moves`).
 
-        Args:
-            simulation: The scene; names and parameters are put into it in place.
-            values: Of the parameters.
-            seed: Of the scene.
-            physics: Its bodies, none made yet.
-
         Raises:
             RejectionException: A place that the program asks for is not there.
             CannotPlace: Something cannot be made there.
@@ -173,11 +163,7 @@ class _Like:
 
 
 class _Angle:
-    """A part of how something is turned, which follows from one direction alone; scenes have few of these.
-
-    Args:
-        direction: What it follows from.
-    """
+    """A part of how something is turned, which follows from one direction alone; scenes have few of these."""
 
     def __init__(self, direction: Any) -> None:
         self._direction = direction
@@ -214,11 +200,7 @@ def _angles(order: Iterable[Any]) -> dict[int, _Angle]:
 
 
 def _in_order(roots: Iterable[Any], given: set[int]) -> Iterator[Any]:
-    """What is worked out for each scene, each after all that it depends on.
-
-    Raises:
-        NoFunction: Something of it is drawn, or by a function of a user's.
-    """
+    """What is worked out for each scene, each after all that it depends on."""
     done = set(given)
 
     def of(node: Any) -> Iterator[Any]:

@@ -279,11 +279,6 @@ def routes_of(simulator: Simulator, program: ScenicProgram, wanted: int) -> dict
 def drive(session: Session, ego: EgoPolicy, scene: str) -> None:
     """Let an ego drive until the session ends.
 
-    Args:
-        session: Of what is driven.
-        ego: Who drives.
-        scene: The id of what is driven, for messages.
-
     Raises:
         EgoError: The ego fails, or does not answer.
         ProgramError: The program's own code fails.

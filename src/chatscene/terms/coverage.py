@@ -33,7 +33,6 @@ class Catalogue:
     """A list of situations, in its own order.
 
     Attributes:
-        name: Short, such as ``nhtsa``.
         title: For a person.
         entries: The situations; no two have the same name.
     """
@@ -57,7 +56,6 @@ class Fared:
     """How one ego fared in the scenes of an entry.
 
     Attributes:
-        ego: The ego.
         scenes: How many it drove, drives that failed among them.
         shown: In how many of them all that was read was seen, every act in order, before it met anything.
         collisions: In how many it collided.
@@ -77,7 +75,6 @@ class Searched:
 
     Attributes:
         folder: The run folder, seen from the desk's.
-        status: How far it came.
         counts: Of scenes, as in `run.json`; empty until it is done.
     """
 
@@ -91,9 +88,6 @@ class Covered:
     """An entry and what became of it.
 
     Attributes:
-        catalogue: Name of its catalogue.
-        entry: The entry.
-        answer: Whether it is served.
         reasons: Why it is not, the weightiest first; empty if it is.
         slots: What was read in its sentence, in words, by the slot's name.
         unused: What was said and is not in the program, a line for every reason.

@@ -16,9 +16,6 @@ class Description:
     """A scenario that was made up from a compatible triple of snippets.
 
     Attributes:
-        text: The sentence.
-        base: The base scenario it belongs to.
-        adversary: Who the adversary is.
         snippet_ids: Behavior, geometry, spawn.
         slots: Everything the triple does.
     """
@@ -35,10 +32,6 @@ class Diversity:
     """How different descriptions are from each other.
 
     Attributes:
-        behaviors: Different behaviors among them.
-        geometries: Different geometries.
-        spawns: Different spawn positions.
-        kinds: Different kinds of adversary.
         distinct_2: Different pairs of neighbouring words, per pair.
         distance: Mean pairwise cosine distance of their embeddings, in [0, 2].
     """

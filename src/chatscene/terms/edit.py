@@ -11,13 +11,7 @@ from chatscene.terms.surroundings import Surroundings
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Facts:
-    """All facts of a situation that have names of their own.
-
-    Attributes:
-        slots: Who does what and where.
-        surroundings: Light, weather and the state of the road.
-        quantities: The numbers that were said, one of a measure.
-    """
+    """All facts of a situation that have names of their own."""
 
     slots: Slots
     surroundings: Surroundings

@@ -87,10 +87,6 @@ def connected(host: str, port: int) -> Connection:
 class Connection:
     """A server and its world.
 
-    Args:
-        host: Where it is.
-        port: Of its calls.
-
     Attributes:
         place: Host and port, for messages.
         version: Of the server.
@@ -265,11 +261,7 @@ class Connection:
 
 
 def _version_at(host: str, port: int) -> str:
-    """The version of the server that listens somewhere.
-
-    Raises:
-        ServerError: None does.
-    """
+    """The version of the server that listens somewhere."""
     answer = b""
     try:
         with socket.create_connection((host, port), timeout=PATIENCE) as line:

@@ -32,10 +32,6 @@ _log = logging.getLogger(__name__)
 class CarlaSimulator(SteppedSimulator):
     """Runs scenes in a CARLA server; see `chatscene.simulate.simulator.Simulator` for the contract.
 
-    Args:
-        map_path: The map everything runs on.
-        settings: Step and limits, and where the server is (`chatscene.simulate.carla.connection.address`).
-
     Attributes:
         disagreements: What CARLA's collision sensor and our boxes said differently so far.
 

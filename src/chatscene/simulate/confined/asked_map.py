@@ -23,9 +23,6 @@ def map_of(tree: Any) -> tuple[str | None, frozenset[Any]]:
 
     A path is a text, one in ``localPath(…)``, an f-string or a sum of such, or the name of one. What only names it need
     not keep to the rules for texts, since nothing else of the program sees it; the names themselves keep to theirs.
-
-    Args:
-        tree: Scenic's syntax tree of a program.
     """
     texts = _texts(tree)
     beside = [value for value in _unread(tree) if _text(value, texts) is not None]

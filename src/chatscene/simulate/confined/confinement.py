@@ -98,10 +98,6 @@ def give_up(limits: Limits, readable: Iterable[str], program: str = "") -> tuple
 def check_layers(layers: Collection[str], of: Iterable[str]) -> None:
     """Warn of layers that are missing where others will do.
 
-    Args:
-        layers: Those in force.
-        of: All that there could be.
-
     Raises:
         SandboxError: The others will not do.
     """

@@ -88,11 +88,6 @@ def installed_netconvert() -> Executable:
 def convert(path: Path, extract: Extract, limits: Limits = LIMITS) -> Conversion:
     """Make OpenDRIVE of the streets of an extract.
 
-    Args:
-        path: The extract.
-        extract: What it holds.
-        limits: What netconvert may use up.
-
     Raises:
         MissingExtra: netconvert is not installed.
         MapError: It failed, crashed, or used up its time or memory; or it found no road.

@@ -75,11 +75,6 @@ class Nursery:
     """Makes a confined process for each program it is given; threads may share it.
 
     One process imports Scenic and reads the map, once; each program gets a fork of it that has seen no other program.
-
-    Args:
-        map_path: The map everything runs on.
-        settings: Step and limits of a drive.
-        limits: What a program may use up.
     """
 
     def __init__(self, map_path: Path, settings: SimulationSettings, limits: Limits | None = None) -> None:

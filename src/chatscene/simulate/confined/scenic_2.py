@@ -87,13 +87,7 @@ class Rewritten:
         return (*(f"{_lines(where)}: {why}" for why, where in lines.items()), *self.meanings)
 
     def defined(self, source: str, lists: frozenset[str], meanings: tuple[str, ...]) -> Rewritten:
-        """It with names defined that nothing defined.
-
-        Args:
-            source: The text in which they are.
-            lists: Which of them are lists.
-            meanings: A line about each.
-        """
+        """It with names defined that nothing defined."""
         changes = tuple(_far_from_lists(_code(source), lists)) if lists else ()
         return replace(self, source=_applied(source, changes), meanings=meanings)
 
@@ -202,12 +196,7 @@ def _projected(code: _Code) -> Iterator[Change]:
 
 
 def _far_from_lists(code: _Code, more: frozenset[str] = frozenset()) -> Iterator[Change]:
-    """`distance from x to lanes`, where these are a list.
-
-    Args:
-        code: The program.
-        more: Names of lists besides those that it writes out.
-    """
+    """`distance from x to lanes`, where these are a list."""
     opened = (
         (k, a) for k, (a, b, c) in enumerate(_threes(code)) if b.string == "=" and c.string == "[" and not a.start[1]
     )

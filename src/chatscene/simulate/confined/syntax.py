@@ -46,12 +46,7 @@ _CLOSES = {")": "(", "]": "[", "}": "{"}
 
 
 def not_scenic(source: str, error: Exception) -> Refusal:
-    """What is wrong with a text that Scenic's parser refuses.
-
-    Args:
-        source: The text.
-        error: What the parser raised.
-    """
+    """What is wrong with a text that Scenic's parser refuses."""
     line = getattr(error, "lineno", None) or 0
     column = getattr(error, "offset", None) or 0
     end = getattr(error, "end_offset", None) or 0

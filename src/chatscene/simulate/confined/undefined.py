@@ -132,11 +132,6 @@ def undefined_in(tree: Any) -> tuple[Undefined, ...]:
 def with_meanings(source: str, undefined: Iterable[Undefined], given: Mapping[str, str]) -> tuple[str, tuple[str, ...]]:
     """A program in which undefined names are defined where they are read.
 
-    Args:
-        source: Scenic text.
-        undefined: Its undefined names.
-        given: What some of them are, as their user says.
-
     Returns:
         The text, and lines about each name that was given a meaning.
     """
@@ -214,11 +209,7 @@ def _of_users() -> frozenset[str]:
 
 
 class _Parameters:
-    """The parameters of behaviors, Scenic's own and a program's, and what is wanted of each.
-
-    Args:
-        tree: Of the program.
-    """
+    """The parameters of behaviors, Scenic's own and a program's, and what is wanted of each."""
 
     def __init__(self, tree: Any) -> None:
         self._own: dict[str, Any] = {node.name: node for node in _behaviors(tree)}
@@ -263,9 +254,6 @@ def _one_of(wanted: Iterable[_Wanted]) -> _Wanted:
 
 class _Cast:
     """Who is placed in a program, who has which behavior, and the ways that it names.
-
-    Args:
-        tree: Of the program.
 
     Attributes:
         parameters: Of the behaviors.

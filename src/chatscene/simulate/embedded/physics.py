@@ -21,11 +21,7 @@ LAGGED = "bicycles with pedal and yaw lag, understeer and a friction circle, and
 
 
 class EmbeddedPhysics:
-    """Bodies that move one by one, in the order they were made; see `chatscene.simulate.physics.Physics`.
-
-    Args:
-        body_of: Makes each.
-    """
+    """Bodies that move one by one, in the order they were made; see `chatscene.simulate.physics.Physics`."""
 
     def __init__(self, body_of: Callable[[Placement], Body] = make_body) -> None:
         self._body_of = body_of

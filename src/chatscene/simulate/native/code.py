@@ -493,11 +493,7 @@ class Compiler:
 
 
 def _refuse(_: Any) -> None:
-    """Say that another scene is to be bound by itself.
-
-    Raises:
-        NotCovered: Always.
-    """
+    """Say that another scene is to be bound by itself."""
     raise NotCovered("more than numbers is other than in the scene before")
 
 

@@ -74,13 +74,7 @@ def _driver(ego: EgoPolicy) -> Policy | None:
 
 
 def foot_of(braking: Braking, own: float, body: Limits) -> Foot:
-    """Somebody's foot on the brake in the engine's terms.
-
-    Args:
-        braking: How it brakes.
-        own: How much of the brake the ego's own foot has.
-        body: What the ego's vehicle can do.
-    """
+    """Somebody's foot on the brake in the engine's terms."""
     return Foot(
         begins=braking.begins,
         over=braking.over,

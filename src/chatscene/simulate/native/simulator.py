@@ -186,12 +186,7 @@ class NativeSession:
 
 
 class Together:
-    """Scenes in the engine that make their steps in one call.
-
-    Args:
-        count: How many places for scenes there are, all empty.
-        size: How many numbers an ego sees.
-    """
+    """Scenes in the engine that make their steps in one call."""
 
     def __init__(self, count: int, size: int) -> None:
         self._sessions: list[NativeSession | None] = [None] * count
@@ -251,19 +246,7 @@ class Stepwise:
 
 
 class _Again:
-    """A scene of a program that is made every other one of its scenes on a route, without Scenic and unbound.
-
-    Args:
-        simulator: Who placed it.
-        placement: How its scenes differ.
-        session: The scene as it was placed.
-        bound: The same as arrays, at its beginning.
-        program: Of which program.
-        scene: Which of its scenes it is.
-
-    Attributes:
-        session: As above.
-    """
+    """A scene of a program that is made every other one of its scenes on a route, without Scenic and unbound."""
 
     def __init__(
         self,
@@ -320,10 +303,6 @@ class NativeSimulator:
 
     A scene that is opened again and again, to be driven otherwise, is placed by Scenic once, as long as no more than
     `keeps` others were placed since.
-
-    Args:
-        map_path: The map everything runs on.
-        settings: Step and limits.
 
     Attributes:
         identity: What it is: the physics of the embedded simulator.
