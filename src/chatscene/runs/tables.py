@@ -12,16 +12,17 @@ from collections.abc import Callable, Generator, Iterable, Iterator, Mapping, Se
 from contextlib import contextmanager
 from dataclasses import MISSING, asdict, fields
 from pathlib import Path
-from typing import Any
+from typing import Any, get_args, get_type_hints
 
 import numpy as np
 import pyarrow as pa
 import pyarrow.parquet as pq
+from pydantic import BaseModel
 
 from chatscene.errors import RunError
 from chatscene.files.atomic import temporary_of
 from chatscene.runs.atomic import write_bytes, writing
-from chatscene.runs.rows import Part, SceneRow
+from chatscene.runs.rows import EventRow, Part, RangeRow, SceneRow, SignalRow
 from chatscene.terms.criticality import CRITICALITY
 from chatscene.terms.metrics import Measurements
 from chatscene.terms.scene import Scene, ScenicProgram
@@ -31,49 +32,26 @@ from chatscene.terms.surroundings import Surroundings
 Table = Any  # a `pyarrow.Table`; pyarrow ships no types
 
 
-EVENTS = pa.schema(
-    [
-        ("scene_id", pa.string()),
-        ("ego", pa.string()),
-        ("step", pa.int32()),
-        ("kind", pa.string()),
-        ("actor", pa.string()),
-        ("other", pa.string()),
-        ("side", pa.string()),
-        ("impact_speed", pa.float64()),
-        ("earlier", pa.float64()),
-    ]
-)
+_TYPES: dict[Any, Any] = {
+    str: pa.string(), int: pa.int32(), float: pa.float64(), bool: pa.bool_(), list[str]: pa.list_(pa.string()),
+}  # fmt: skip
 
-SIGNALS = pa.schema(
-    [
-        ("scene_id", pa.string()),
-        ("ego", pa.string()),
-        ("role", pa.string()),
-        *((name, pa.float64()) for name in ("x0", "y0", "x1", "y1")),
-        ("state", pa.string()),
-    ]
-)
 
-RANGES = pa.schema(
-    [
-        ("scenario_id", pa.string()),
-        ("route_id", pa.string()),
-        ("block", pa.int32()),
-        ("parameter", pa.string()),
-        ("low", pa.float64()),
-        ("high", pa.float64()),
-        ("unit", pa.string()),
-        ("meaning", pa.string()),
-    ]
-)
+def _columns(rows: type[BaseModel], *names: str) -> list[tuple[str, Any]]:
+    """Some columns of rows, by the types of their fields."""
+    types = get_type_hints(rows)
+    kinds = {name: next(kind for kind in (types[name], *get_args(types[name])) if kind in _TYPES) for name in names}
+    return [(name, _TYPES[kind]) for name, kind in kinds.items()]
 
+
+_PLACE = [("scenario_id", pa.string()), ("route_id", pa.string()), ("block", pa.int32())]
+EVENTS = pa.schema(_columns(EventRow, *EventRow.model_fields))
+SIGNALS = pa.schema(_columns(SignalRow, *SignalRow.model_fields))
+RANGES = pa.schema([*_PLACE, *_columns(RangeRow, *RangeRow.model_fields)])
 _SCENE_HEAD = pa.schema(
     [
         ("scene_id", pa.string()),
-        ("scenario_id", pa.string()),
-        ("route_id", pa.string()),
-        ("block", pa.int32()),
+        *_PLACE,
         ("seed", pa.uint64()),
         ("status", pa.string()),
         ("reason", pa.string()),
@@ -82,25 +60,9 @@ _SCENE_HEAD = pa.schema(
 _SCENE_OUTCOME = pa.schema(
     [
         ("meaning_ok", pa.bool_()),
-        ("meaning_failures", pa.list_(pa.string())),
-        ("collision", pa.bool_()),
-        ("impact_speed", pa.float64()),
-        ("severity", pa.string()),
-        ("fault", pa.string()),
-        ("avoidable", pa.bool_()),
-        ("crash_type", pa.string()),
-        ("ego_kind", pa.string()),
-        ("other_kind", pa.string()),
-        ("happened", pa.string()),
-        ("happened_at", pa.float64()),
-        ("gap_in_time", pa.float64()),
-        ("ego", pa.string()),
-        ("ending", pa.string()),
-        ("route_completion", pa.float64()),
-        ("dt", pa.float64()),
-        ("light", pa.string()),
-        ("weather", pa.string()),
-        ("surface", pa.string()),
+        *_columns(SceneRow, "meaning_failures", "collision", "impact_speed", "severity", "fault", "avoidable"),
+        *_columns(SceneRow, "crash_type", "ego_kind", "other_kind", "happened", "happened_at", "gap_in_time", "ego"),
+        *_columns(SceneRow, "ending", "route_completion", "dt", "light", "weather", "surface"),
     ]
 )
 _SCENE_TAIL = pa.schema(
