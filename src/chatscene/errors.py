@@ -243,7 +243,7 @@ class QueryError(ChatSceneError):
 
 
 class LanguageModelError(ChatSceneError):
-    """A language model gave no usable reply in time, or could not within its budget."""
+    """A language model gave no usable reply in time."""
 
 
 class NoUsableReply(LanguageModelError):  # noqa: N818 - reads as what it says

@@ -20,11 +20,10 @@ from pydantic import BaseModel, ConfigDict, Field, field_validator
 from chatscene.errors import LanguageModelError, MissingExtra, SettingsError
 from chatscene.files.caches import cache_folder
 from chatscene.models.language.checked import CheckedModel, question_key, read_reply, write_reply
-from chatscene.models.language.completion import FREE, Completer, Message, Price
+from chatscene.models.language.completion import FREE, Completer, Message
 from chatscene.models.language.openai_compatible import OpenAICompatible
 from chatscene.models.language.protocol import (
     LANGUAGE_MODELS,
-    Budget,
     Example,
     Limits,
     Prompt,
@@ -122,8 +121,8 @@ def quick(request: pytest.FixtureRequest) -> Generator[Making]:
     yield from request.param()
 
 
-def checked(make: Making, *, budget: Budget | None = None, cache: Path | None = None) -> CheckedModel:
-    return CheckedModel(make(), limits=LIMITS, budget=budget, cache=cache)
+def checked(make: Making, *, cache: Path | None = None) -> CheckedModel:
+    return CheckedModel(make(), limits=LIMITS, cache=cache)
 
 
 def test_a_reply_is_a_validated_object_with_what_it_took(make: Making) -> None:
@@ -147,24 +146,9 @@ def test_a_reply_that_is_wrong_is_asked_for_again_and_then_an_error(make: Making
     assert not list(tmp_path.iterdir())
 
 
-@pytest.mark.parametrize("budget", [Budget(calls=0), Budget(tokens=100), Budget(calls=9, tokens=0)])
-def test_a_call_beyond_the_budget_is_not_made(make: Making, budget: Budget) -> None:
-    model = checked(make, budget=budget)
-    with pytest.raises(LanguageModelError, match="budget"):
-        model.reply(PROMPT, Seen)
-    assert model.spending.calls == 0
-
-
-def test_a_budget_of_calls_ends_asking_again(quick: Making) -> None:
-    model = checked(quick, budget=Budget(calls=1))
-    with pytest.raises(LanguageModelError, match=r"budget .* 1 calls"):
-        model.reply(PROMPT, Never)
-    assert model.spending.calls == 1
-
-
 def test_a_question_asked_before_makes_no_call(quick: Making, tmp_path: Path) -> None:
     first = checked(quick, cache=tmp_path).reply(PROMPT, Seen)
-    later = checked(quick, cache=tmp_path, budget=Budget(calls=0))
+    later = checked(quick, cache=tmp_path)
     again = later.reply(PROMPT, Seen)
     assert again.answer == first.answer
     assert again.cached
@@ -208,12 +192,6 @@ def test_an_empty_or_broken_question_is_refused(text: str) -> None:
         Prompt(system="s", text=text)
 
 
-@pytest.mark.parametrize("wrong", [{"calls": -1}, {"tokens": -1}, {"dollars": math.nan}, {"dollars": math.inf}])
-def test_a_budget_out_of_range_is_refused(wrong: dict[str, Any]) -> None:
-    with pytest.raises(SettingsError):
-        Budget(**wrong)
-
-
 @pytest.mark.parametrize("wrong", [{"reply_tokens": 0}, {"seconds": 0.0}, {"seconds": math.nan}, {"reasks": -1}])
 def test_limits_out_of_range_are_refused(wrong: dict[str, Any]) -> None:
     with pytest.raises(SettingsError):
@@ -229,25 +207,6 @@ def test_the_longest_wait_for_a_reply_is_what_the_environment_says(monkeypatch: 
         monkeypatch.setenv("CHATSCENE_LLM_SECONDS", wrong)
         with pytest.raises(SettingsError):
             Limits()
-
-
-class Priced(Scripted):
-    price = Price(1e6, 2e6)  # a dollar a word in, two a word out
-
-
-@given(st.lists(st.text("ab ", min_size=1).filter(str.strip), max_size=6), st.integers(0, 800), st.booleans())
-@settings(max_examples=60)
-def test_what_was_spent_never_exceeds_the_budget(questions: list[str], limit: int, in_dollars: bool) -> None:
-    budget = Budget(dollars=limit) if in_dollars else Budget(tokens=limit)
-    limits = Limits(reply_tokens=4, reasks=1)
-    model = CheckedModel(Priced(["no", RIGHT] * 20), limits=limits, budget=budget)
-    for text in questions:
-        try:
-            model.reply(Prompt(system="", text=text), Seen)
-        except LanguageModelError as error:
-            assert "budget" in str(error)
-    spent = model.spending
-    assert ((spent.dollars or 0.0) if in_dollars else spent.tokens_in + spent.tokens_out) <= limit
 
 
 # --- names

@@ -1,4 +1,4 @@
-"""A language model whose replies are validated, asked for again, cached, counted and kept within a budget."""
+"""A language model whose replies are validated, asked for again, cached and counted."""
 
 from __future__ import annotations
 
@@ -11,10 +11,10 @@ from pathlib import Path
 
 from pydantic import BaseModel, ConfigDict, ValidationError
 
-from chatscene.errors import LanguageModelError, NoUsableReply, SettingsError
+from chatscene.errors import NoUsableReply
 from chatscene.files.caches import keep
 from chatscene.models.language.completion import Completer, Completion, JsonSchema, Message
-from chatscene.models.language.protocol import Answer, Budget, Limits, Prompt, Reply, Spending
+from chatscene.models.language.protocol import Answer, Limits, Prompt, Reply, Spending
 from chatscene.models.language.structured import Unusable, instruction, read_answer, strict_schema
 
 _TOKENS_PER_TURN = 16  # more than any chat template adds to one turn
@@ -25,16 +25,9 @@ _SHOWN_AGAIN = 2000  # characters of a wrong reply that are shown to the model a
 class CheckedModel:
     """The `LanguageModel` that any `Completer` becomes. Not for several threads at once: its counters have no lock."""
 
-    def __init__(
-        self, completer: Completer, *, limits: Limits, budget: Budget | None = None, cache: Path | None = None
-    ) -> None:
+    def __init__(self, completer: Completer, *, limits: Limits, cache: Path | None = None) -> None:
         self.name = completer.name
-        self._completer, self._limits, self._budget, self._cache = completer, limits, budget or Budget(), cache
-        if self._budget.dollars is not None and completer.price is None:
-            raise SettingsError(
-                f"a budget in dollars needs the price of {self.name}; set CHATSCENE_LLM_PRICE=IN/OUT, "
-                "in dollars per million tokens"
-            )
+        self._completer, self._limits, self._cache = completer, limits, cache
         self._spending = Spending(dollars=None if completer.price is None else 0.0)
 
     @property
@@ -53,7 +46,7 @@ class CheckedModel:
         """Answer from the cache, or ask and ask again with the reason, `Limits.reasks` times.
 
         Raises:
-            LanguageModelError: No reply, none that fits the schema and passes the check, or none within the budget.
+            LanguageModelError: No reply, or none that fits the schema and passes the check.
         """
         begun, before = time.monotonic(), self._spending
         wanted, messages = strict_schema(schema) if prompt.form is None else dict(prompt.form), _conversation(prompt)
@@ -79,7 +72,6 @@ class CheckedModel:
 
     def _call(self, messages: Sequence[Message], schema: JsonSchema) -> Completion:
         most_in = _most_tokens(messages, schema)
-        self._refuse_beyond_budget(most_in)
         begun = time.monotonic()
         self._spending = replace(self._spending, calls=self._spending.calls + 1)
         try:
@@ -96,22 +88,6 @@ class CheckedModel:
             dollars=None if price is None else (spent.dollars or 0.0) + price.of(tokens_in, tokens_out),
         )
         return completion
-
-    def _refuse_beyond_budget(self, most_in: int) -> None:
-        spent, budget, price = self._spending, self._budget, self._completer.price
-        most_out = self._limits.reply_tokens
-        after: list[tuple[str, float, float | None]] = [
-            ("calls", spent.calls + 1, budget.calls),
-            ("tokens", spent.tokens_in + spent.tokens_out + most_in + most_out, budget.tokens),
-        ]
-        if price is not None:
-            after.append(("dollars", (spent.dollars or 0.0) + price.of(most_in, most_out), budget.dollars))
-        for what, most, limit in after:
-            if limit is not None and most > limit:
-                raise LanguageModelError(
-                    f"the budget for {self.name} is {limit:g} {what}, and one more call could make it {most:g}; "
-                    f"{spent.calls} calls were made. Allow more, or ask less"
-                )
 
     def _reply(self, answer: Answer, before: Spending, begun: float) -> Reply[Answer]:
         now = self._spending

@@ -104,20 +104,6 @@ class Spending:
     dollars: float | None = None
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Budget:
-    """The most a model may spend; None sets no limit. A call that could exceed it is not made."""
-
-    calls: int | None = None
-    tokens: int | None = None
-    dollars: float | None = None
-
-    def __post_init__(self) -> None:
-        for name, limit in (("calls", self.calls), ("tokens", self.tokens), ("dollars", self.dollars)):
-            if limit is not None and not 0 <= limit < math.inf:
-                raise SettingsError(f"a budget of {name} must not be negative or endless, but is {limit}")
-
-
 def _patience() -> float:
     text = os.environ.get("CHATSCENE_LLM_SECONDS", "120")
     try:
@@ -152,8 +138,7 @@ class LanguageModel(Protocol):
     Input: a prompt and a pydantic schema. Output: an object of that schema, with what it took. Determinism: greedy
     decoding (temperature 0) with a fixed seed wherever the model allows it; the same question in the same process or
     a later one is answered from the cache on disk, so a run can be repeated even where the model itself is not
-    repeatable. Failure: `LanguageModelError`, which names the model and the last reason; before a call that could
-    exceed the budget, too.
+    repeatable. Failure: `LanguageModelError`, which names the model and the last reason.
     """
 
     name: str
@@ -174,7 +159,7 @@ class LanguageModel(Protocol):
         """Ask, and validate what comes back.
 
         Raises:
-            LanguageModelError: No usable reply, or none within the budget.
+            LanguageModelError: No usable reply.
         """
         ...
 
@@ -191,16 +176,13 @@ LANGUAGE_MODELS: Kind[Any] = Kind(  # each makes a `chatscene.models.language.co
 )
 
 
-def load_language_model(
-    name: str, *, limits: Limits | None = None, budget: Budget | None = None, cache: Path | None = None
-) -> LanguageModel:
+def load_language_model(name: str, *, limits: Limits | None = None, cache: Path | None = None) -> LanguageModel:
     """A language model by the name a user types.
 
     Args:
         name: ``openai:MODEL``, ``gguf:FILE`` or ``scripted:FILE``, or another name (`chatscene.plugins`) with what
             its factory is to take behind a colon.
         limits: How far one question may go.
-        budget: The most that may be spent from now on.
         cache: Folder for replies, such as `cache_folder("replies")`; without one, every question is a call.
 
     Raises:
@@ -217,4 +199,4 @@ def load_language_model(
         raise SettingsError(f"{name!r} does not say which model; write for instance openai:MODEL or gguf:FILE")
     limits = limits or Limits()
     completer = make(LANGUAGE_MODELS, kind, which, limits=limits)
-    return CheckedModel(completer, limits=limits, budget=budget or Budget(), cache=cache)
+    return CheckedModel(completer, limits=limits, cache=cache)
