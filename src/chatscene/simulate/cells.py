@@ -11,6 +11,7 @@ import shapely
 from numpy.typing import NDArray
 
 from chatscene.maps.lane_map import Indices, LaneMap
+from chatscene.simulate.native.engine import Engine
 from chatscene.simulate.native.lines import engine
 from chatscene.terms.arrays import Array
 from chatscene.terms.route import Route
@@ -39,17 +40,27 @@ class Cells:
         wide, tall = np.ceil((high - low) / SIDE).astype(int).tolist()
         self._known = np.zeros((tall, wide), np.int32)  # a square's lane and whether it is off the road: `_code`
 
-    def lanes(self, x: Array, y: Array) -> tuple[Indices, NDArray[np.bool_]]:
-        """In which lane each point lies (`LaneMap.lane_index`), and whether it is off the road.
+    def along(self, x: Array, y: Array) -> tuple[NDArray[np.bool_], list[int], list[int]]:
+        """Where a track is off the road, and at which steps it comes to be so, and leaves a lane.
 
         Args:
             x: (T,) [m], map frame.
             y: (T,) [m].
+
+        Returns:
+            (T,) whether it is off the road; the steps at which it is and was not before; and those of which it is in a
+            lane, and at the next in another or in none.
         """
-        native = engine()
-        if native is None:
-            xy = np.array((x, y)).T
-            return self._lane_map.lane_index(xy, self._along), self._lane_map.off_road(xy)
+        if (native := engine()) is not None:
+            return native.lane_events(self._codes(x, y, native))
+        xy = np.array((x, y)).T
+        lane, off_road = self._lane_map.lane_index(xy, self._along), self._lane_map.off_road(xy)
+        begins = off_road & ~np.concatenate(([False], off_road[:-1]))
+        changed = (lane[1:] != lane[:-1]) & (lane[:-1] >= 0)
+        return off_road, np.flatnonzero(begins).tolist(), np.flatnonzero(changed).tolist()
+
+    def _codes(self, x: Array, y: Array, native: Engine) -> NDArray[np.int32]:
+        """(T,) The `_code` of each point."""
         found, told = native.in_cells(x, y, self._low, SIDE, self._known)
         if not told:
             if not found.all():
@@ -57,7 +68,7 @@ class Cells:
                 found, _ = native.in_cells(x, y, self._low, SIDE, self._known)
             at = np.flatnonzero(found == _EDGE)
             found[at] = self._of_points(x[at].tolist(), y[at].tolist())
-        return (found >> 1) - 2, (found & 1).astype(np.bool_)
+        return found
 
     def _of_points(self, x: list[float], y: list[float]) -> list[int]:
         """Of points by themselves: an ego comes to the very same ones in one scene after another."""

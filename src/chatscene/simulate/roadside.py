@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from chatscene.ego.observation import BESIDE
 from chatscene.errors import MapError
 from chatscene.maps.junctions import StopLine, junction_control, junction_signals
-from chatscene.maps.lane_map import Indices, LaneMap
+from chatscene.maps.lane_map import LaneMap
 from chatscene.maps.limits import limits_along
 from chatscene.simulate.cells import Cells
 from chatscene.simulate.native.lines import engine
@@ -158,9 +158,9 @@ class RouteSurroundings:
 
     def events(self, ego: Track, signals: tuple[SignalTrack, ...]) -> tuple[NDArray[np.bool_], list[Event]]:
         """Whether the ego was off the road at each step, and everything it did wrong but collide."""
-        lane, off_road = self._cells.lanes(ego.x, ego.y)
-        events = [Event(kind=EventKind.OFF_ROAD, step=step) for step in _onsets(off_road)]
-        events += self._lane_invasions(ego, lane)
+        off_road, leaves, changes = self._cells.along(ego.x, ego.y)
+        events = [Event(kind=EventKind.OFF_ROAD, step=step) for step in leaves]
+        events += self._lane_invasions(ego, changes)
         events += [
             Event(kind=EventKind.RED_LIGHT, step=step, other="signal")
             for signal in signals
@@ -170,14 +170,17 @@ class RouteSurroundings:
             events += self._stop_signs(ego)
         return off_road, events
 
-    def _lane_invasions(self, ego: Track, lane: Indices) -> list[Event]:
+    def _lane_invasions(self, ego: Track, changes: list[int]) -> list[Event]:
         """A change of lane outside junctions, or onto no lane at all."""
-        changed = np.flatnonzero((lane[1:] != lane[:-1]) & (lane[:-1] >= 0))
-        if not changed.size:
+        if not changes:
             return []
-        both = np.concatenate((changed, changed + 1))
-        inside = shapely.contains_xy(self._junctions, ego.x[both], ego.y[both]).reshape(2, -1).any(axis=0)
-        return [Event(kind=EventKind.LANE_INVASION, step=step + 1) for step in changed[~inside].tolist()]
+        both = [*changes, *(step + 1 for step in changes)]
+        inside = shapely.contains_xy(self._junctions, ego.x[both], ego.y[both]).reshape(2, -1).any(axis=0).tolist()
+        return [
+            Event(kind=EventKind.LANE_INVASION, step=step + 1)
+            for step, within in zip(changes, inside, strict=True)
+            if not within
+        ]
 
     def _stop_signs(self, ego: Track) -> list[Event]:
         events: list[Event] = []
@@ -208,7 +211,3 @@ def crossing_step(track: Track, line: StopLine | SignalTrack) -> int | None:
         if -0.1 <= along / (lx * lx + ly * ly) <= 1.1:
             return i + 1
     return None
-
-
-def _onsets(flags: NDArray[np.bool_]) -> list[int]:
-    return np.flatnonzero(flags & ~np.concatenate(([False], flags[:-1]))).tolist() if flags.any() else []

@@ -21,7 +21,6 @@ from chatscene.simulate import boxes, cells, roadside
 from chatscene.simulate.cells import Cells
 from chatscene.simulate.native import lines
 from chatscene.simulate.native.engine import Engine, NoEngine, load_engine
-from chatscene.terms.arrays import Array
 from chatscene.terms.episode import Ending, Episode, Event, EventKind, Role, SignalTrack, Track
 from chatscene.terms.polyline import Polyline
 from chatscene.terms.route import RouteQuery
@@ -164,14 +163,17 @@ def test_squares_of_a_map_tell_lanes_as_the_map_does(name: str, monkeypatch: pyt
         along, known = route.line.points[:, :2], Cells(lane_map, route)
         for spread in (0.5, 3.0, 12.0, 40.0):
             x, y = (along[rng.integers(0, len(along), 400)] + rng.normal(0.0, spread, (400, 2))).T
+            lane, off_road = lane_map.lane_index(xy := np.array((x, y)).T, route.lane_ids), lane_map.off_road(xy)
+            begins = [i for i in range(400) if off_road[i] and not (i and off_road[i - 1])]
+            changes = [i for i in range(399) if lane[i] >= 0 and lane[i] != lane[i + 1]]
             for _ in range(2):  # of squares that nobody asked of, and of those that are known
-                lane, off_road = known.lanes(x, y)
-                xy: Array = np.array((x, y)).T
-                assert np.array_equal(lane, lane_map.lane_index(xy, route.lane_ids))
-                assert np.array_equal(off_road, lane_map.off_road(xy))
+                found = known.along(x, y)
+                assert np.array_equal(found[0], off_road)
+                assert found[1:] == (begins, changes)
         x, y = along.T
-        found = known.lanes(x, y)
+        found = known.along(x, y)
         with monkeypatch.context() as without:
             without.setattr(cells, "engine", lambda: None)
-            again = known.lanes(x, y)
-        assert all(map(np.array_equal, found, again))
+            again = known.along(x, y)
+        assert np.array_equal(found[0], again[0])
+        assert found[1:] == again[1:]

@@ -2226,6 +2226,18 @@ int64_t in_cells(int64_t count, const double *x, const double *y, double low_x, 
     return told;
 }
 
+/* `simulate.cells.Cells.along`, of a lane, -1 for none, and whether that is off the road, as (lane + 2) * 2 + off: in
+ * `found`, how many steps begin to be off the road and how many come before another lane, and which each of them are. */
+void lane_events(int64_t steps, const int32_t *codes, uint8_t *off, int64_t *found) {
+    int64_t onsets = 0, changes = 0, *changed = found + 2 + steps;
+    for (int64_t i = 0; i < steps; i++) {
+        off[i] = codes[i] & 1;
+        if (off[i] && (!i || !off[i - 1])) found[2 + onsets++] = i;
+        if (i + 1 < steps && codes[i] >> 1 >= 2 && codes[i] >> 1 != codes[i + 1] >> 1) changed[changes++] = i;
+    }
+    found[0] = onsets; found[1] = changes;
+}
+
 /* `simulate.roadside.crossing_step`: the first step at which a track crosses a line; -1 if it never does. */
 int64_t crosses(int64_t steps, const double *x, const double *y, double x0, double y0, double x1, double y1) {
     double lx = x1 - x0, ly = y1 - y0;

@@ -338,6 +338,50 @@ def course_of(x: Array, y: Array, arc: Array, cos: Array, sin: Array) -> Course:
     return found
 
 
+_FUNCTIONS: dict[str, tuple[Any, ...]] = {
+    "size_of": (c_int64, c_int64),
+    "evaluate": (None, c_int64, c_int64, _Doubles, _Doubles, _Doubles),
+    "see_world": (None, POINTER(World)),
+    "step_world": (None, POINTER(World), c_double, c_double, c_double),
+    "room_of": (c_int64, POINTER(World)),
+    "copy_world": (None, POINTER(World), POINTER(World), *[c_void_p] * 3),
+    "step_worlds": (c_int64, c_void_p, c_int64, *[c_void_p] * 3, c_int64),
+    "run_world": (c_int64, POINTER(World), POINTER(Policy), c_int64),
+    "brake_world": (None, POINTER(World), POINTER(Policy), POINTER(Foot)),
+    "run_worlds": (c_int64, POINTER(POINTER(World)), c_int64, POINTER(Policy)),
+    "ask": (None, POINTER(Policy), _Doubles, _Doubles, _Doubles),
+    "follow": (None, POINTER(Line), c_int64, c_int32, *[c_void_p] * 4),
+    "compare_boxes": (None, c_int64, *(POINTER(Boxes), c_void_p) * 2, c_void_p),
+    "overlaps": (
+        c_int64,
+        *(c_int64, c_int64, POINTER(Boxes), c_int64, POINTER(Boxes), c_void_p),
+        *(c_int64, c_double, c_void_p, c_void_p),
+    ),
+    "near_any": (None, c_int64, c_void_p, c_void_p, c_int64, c_void_p, c_void_p, c_double, c_void_p),
+    "closest": (None, c_int64, c_void_p, c_void_p, c_double, c_void_p),
+    "parted": (c_double, c_int64, c_void_p, c_void_p, c_int64, POINTER(Boxes), POINTER(Boxes)),
+    "shared_places": (
+        c_int64,
+        *(c_int64, POINTER(Boxes), c_void_p, POINTER(Boxes)),
+        *(c_double, c_int64, c_void_p, c_void_p),
+    ),
+    "sum_up": (None, *[c_int64] * 4, *[c_void_p] * 5, POINTER(Habits), *[c_void_p] * 4),
+    "first_risk": (
+        c_int64,
+        *(c_int64, c_int64, c_void_p, POINTER(Course), c_void_p, c_void_p),
+        *(c_double, c_double, POINTER(Boxes), c_void_p, c_void_p, c_int64),
+    ),
+    "in_cells": (
+        c_int64,
+        *(c_int64, c_void_p, c_void_p, c_double, c_double, c_double),
+        *(c_int64, c_int64, c_void_p, c_void_p),
+    ),
+    "crosses": (c_int64, c_int64, c_void_p, c_void_p, *[c_double] * 4),
+    "lane_events": (None, c_int64, *[c_void_p] * 3),
+}
+"""What each function of the library returns, and what it takes."""
+
+
 class Engine:
     """The loaded library, checked.
 
@@ -349,62 +393,9 @@ class Engine:
     """
 
     def __init__(self, library: ctypes.CDLL) -> None:
-        library.size_of.restype = c_int64
-        library.size_of.argtypes = (c_int64,)
-        library.evaluate.restype = None
-        library.evaluate.argtypes = (c_int64, c_int64, _Doubles, _Doubles, _Doubles)
-        library.see_world.restype = None
-        library.see_world.argtypes = (POINTER(World),)
-        library.step_world.restype = None
-        library.step_world.argtypes = (POINTER(World), c_double, c_double, c_double)
-        library.room_of.restype = c_int64
-        library.room_of.argtypes = (POINTER(World),)
-        library.copy_world.restype = None
-        library.copy_world.argtypes = (POINTER(World), POINTER(World), *[c_void_p] * 3)
-        library.step_worlds.restype = c_int64
-        library.step_worlds.argtypes = (c_void_p, c_int64, *[c_void_p] * 3, c_int64)
-        library.run_world.restype = c_int64
-        library.run_world.argtypes = (POINTER(World), POINTER(Policy), c_int64)
-        library.brake_world.restype = None
-        library.brake_world.argtypes = (POINTER(World), POINTER(Policy), POINTER(Foot))
-        library.run_worlds.restype = c_int64
-        library.run_worlds.argtypes = (POINTER(POINTER(World)), c_int64, POINTER(Policy))
-        library.ask.restype = None
-        library.ask.argtypes = (POINTER(Policy), _Doubles, _Doubles, _Doubles)
-        library.follow.restype = None
-        library.follow.argtypes = (POINTER(Line), c_int64, c_int32, *[c_void_p] * 4)
-        library.compare_boxes.restype = None
-        library.compare_boxes.argtypes = (c_int64, *(POINTER(Boxes), c_void_p) * 2, c_void_p)
-        library.overlaps.restype = c_int64
-        library.overlaps.argtypes = (
-            *(c_int64, c_int64, POINTER(Boxes), c_int64, POINTER(Boxes), c_void_p),
-            *(c_int64, c_double, c_void_p, c_void_p),
-        )
-        library.near_any.restype = None
-        library.near_any.argtypes = (c_int64, c_void_p, c_void_p, c_int64, c_void_p, c_void_p, c_double, c_void_p)
-        library.closest.restype = None
-        library.closest.argtypes = (c_int64, c_void_p, c_void_p, c_double, c_void_p)
-        library.parted.restype = c_double
-        library.parted.argtypes = (c_int64, c_void_p, c_void_p, c_int64, POINTER(Boxes), POINTER(Boxes))
-        library.shared_places.restype = c_int64
-        library.shared_places.argtypes = (
-            *(c_int64, POINTER(Boxes), c_void_p, POINTER(Boxes)),
-            *(c_double, c_int64, c_void_p, c_void_p),
-        )
-        library.sum_up.restype = None
-        library.sum_up.argtypes = (*[c_int64] * 4, *[c_void_p] * 5, POINTER(Habits), *[c_void_p] * 4)
-        library.first_risk.restype = c_int64
-        library.first_risk.argtypes = (
-            *(c_int64, c_int64, c_void_p, POINTER(Course), c_void_p, c_void_p),
-            *(c_double, c_double, POINTER(Boxes), c_void_p, c_void_p, c_int64),
-        )
-        library.in_cells.restype = c_int64
-        library.in_cells.argtypes = (
-            *(c_int64, c_void_p, c_void_p, c_double, c_double, c_double),
-            *(c_int64, c_int64, c_void_p, c_void_p),
-        )
-        library.crosses.restype = c_int64
-        library.crosses.argtypes = (c_int64, c_void_p, c_void_p, *[c_double] * 4)
+        for name, (returns, *takes) in _FUNCTIONS.items():
+            function = getattr(library, name)
+            function.restype, function.argtypes = returns, takes
         self._library = library
         structures = (Line, Body, Instruction, Phase, Agent, World, Layer, Policy, Foot, Boxes, Course, Habits)
         for i, structure in enumerate(structures):
@@ -651,6 +642,14 @@ class Engine:
             *(_at(known), _at(found)),
         )
         return found, told == len(one)
+
+    def lane_events(self, codes: NDArray[np.int32]) -> tuple[NDArray[np.bool_], list[int], list[int]]:
+        """Of what `in_cells` tells of a track, if it tells all: see `chatscene.simulate.cells.Cells.along`."""
+        steps, codes = len(codes), np.ascontiguousarray(codes, np.int32)
+        off_road, found = np.empty(steps, np.bool_), np.empty(2 * steps + 2, np.int64)
+        self._library.lane_events(steps, _at(codes), _at(off_road), _at(found))
+        onsets, changes = found[:2].tolist()
+        return off_road, found[2 : 2 + onsets].tolist(), found[2 + steps : 2 + steps + changes].tolist()
 
     def crosses(self, x: Array, y: Array, line: tuple[float, float, float, float]) -> int | None:
         """The first step at which a track crosses a line from one point [m] to another; None if it never does."""
