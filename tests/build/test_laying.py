@@ -198,3 +198,22 @@ def test_rails_are_laid_where_a_road_is_laid_for_something_else() -> None:
     built = made("driveway", "enter", road={"has": ["tram-track"]})
     assert ",tram,driveway=right" in built.map
     assert "has=('tram-track',)" in built.program.source
+
+
+def test_who_merges_does_so_where_the_lane_that_it_is_in_ends() -> None:
+    road = {"lanes": 2, "has": ["lane-drop"]}
+    right = made("ahead-beside", "merge", side="right", road=road)
+    assert "site='past-lane-drop'" in right.program.source
+    assert right.lacking == ()
+    left = made("ahead-beside", "merge", side="left", road=road)
+    assert left.map.startswith("road:2+2,median=3,drop-left")
+    assert "site='past-lane-drop-left'" in left.program.source
+    assert left.lacking == ()
+
+
+def test_an_ego_merges_out_of_a_lane_that_ends_where_no_ramp_was_said() -> None:
+    built = made("behind-beside", "accelerate", side="left", ego={"route": "merge"}, road={"has": ["lane-drop"]})
+    assert "maneuver='lane-change-left', site='lane-drop'" in built.program.source
+    assert built.lacking == ()
+    ramp = made("behind-beside", "accelerate", side="left", ego={"route": "merge"}, road={"kind": "motorway"})
+    assert "site='on-ramp'" in ramp.program.source

@@ -36,6 +36,7 @@ EVERY = (
     "road:2+1,bus-lane",
     "road:2+1,cycle-lane,ridden,crosswalk",
     "road:1+1,tram,driveway=left",
+    "road:3+3,along=motorway,median=4,drop-left",
     "road:2+1,cycle-lane,ridden,junction=four,signs=signal",
 )
 STRAIGHT = RouteQuery(maneuver=Maneuver.STRAIGHT, place=Place.ROAD)

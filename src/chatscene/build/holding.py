@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 
-from chatscene.build.place import AT_CROSSWALKS, Found, at_junction, beside_ramp
+from chatscene.build.place import AT_CROSSWALKS, DROPS, Found, at_junction, beside_ramp
 from chatscene.maps.laid import Along, LaidRoad
+from chatscene.maps.limits import is_called
 from chatscene.maps.settings import is_two_way, lies_in
 from chatscene.maps.sites import AT_JUNCTIONS
 from chatscene.terms.amount import Speed
@@ -21,7 +22,6 @@ SITES = {
     Feature.CROSSWALK: Site.CROSSWALK,
     Feature.PARKING_PLACES: Site.PARKING,
     Feature.BUS_BAY: Site.BUS_BAY,
-    Feature.LANE_DROP: Site.LANE_DROP,
     Feature.OFF_RAMP: Site.PAST_OFF_RAMP,
     Feature.ON_RAMP: Site.PAST_ON_RAMP,
     Feature.DRIVEWAY: Site.DRIVEWAY,
@@ -37,6 +37,7 @@ _AT_PLACE = EQUIPMENT | {Feature.PARKING_PLACES: Equipment.BAYS}
 _AT_SITE: dict[Feature, frozenset[Site]] = {
     **{one: frozenset((site,)) for one, site in SITES.items()},
     Feature.DRIVEWAY: frozenset((Site.DRIVEWAY, Site.DRIVEWAY_LEFT)),
+    Feature.LANE_DROP: frozenset((Site.LANE_DROP, *DROPS.values(), Site.ON_RAMP, Site.PAST_ON_RAMP)),  # whose lane ends
     Feature.ON_RAMP: frozenset((Site.ON_RAMP, Site.PAST_ON_RAMP, Site.WEAVING)),
     Feature.OFF_RAMP: frozenset((Site.OFF_RAMP, Site.PAST_OFF_RAMP, Site.WEAVING)),
 }
@@ -48,10 +49,10 @@ _OF_KIND: dict[RoadKind | None, tuple[Site, ...]] = {
     RoadKind.RAMP: _MOTORWAYS,
     RoadKind.RAIL_CROSSING: (Site.RAIL_CROSSING,),
 }
-_SITE_OF: dict[EgoRoute | None, Site] = {
-    EgoRoute.ROUNDABOUT: Site.ROUNDABOUT,
-    EgoRoute.MERGE: Site.ON_RAMP,
-    EgoRoute.EXIT: Site.OFF_RAMP,
+_SITES_OF: dict[EgoRoute | None, tuple[Site, ...]] = {
+    EgoRoute.ROUNDABOUT: (Site.ROUNDABOUT,),
+    EgoRoute.MERGE: (Site.ON_RAMP, Site.LANE_DROP),
+    EgoRoute.EXIT: (Site.OFF_RAMP,),
 }
 
 
@@ -73,7 +74,7 @@ def as_said(situation: Situation, found: Found) -> Iterator[str]:
     network = found.route.network
     first = network.elements[found.route.route.lane_ids[0]]
     holds = {
-        "ego.route": situation.ego.route not in _SITE_OF or site == _SITE_OF[situation.ego.route],
+        "ego.route": situation.ego.route not in _SITES_OF or site in _SITES_OF[situation.ego.route],
         "road.lanes": road.lanes == lanes_there(found),
         "road.ego_lane": query.get("lane", 0) in (road.ego_lane, (road.ego_lane or 0) + beside_ramp(query)),
         "road.kind": _is_kind(road.kind, found),
@@ -110,7 +111,6 @@ _IN_LAID: dict[Feature, Callable[[LaidRoad], bool]] = {
     Feature.NARROW: lambda laid: laid.lane <= NARROW,
     Feature.PARKING_PLACES: lambda laid: laid.parking is not None,
     Feature.CYCLE_LANE: lambda laid: laid.cycle_lane,
-    Feature.LANE_DROP: lambda laid: laid.drop,
     Feature.CROSSWALK: lambda laid: laid.crosswalk,
 }
 """What a road has all along, or in its middle, if it was laid so."""
@@ -134,6 +134,10 @@ def _is_kind(kind: RoadKind | None, found: Found) -> bool:
     """Whether the route lies on a road of a kind."""
     if kind is RoadKind.ROAD:
         return found.route.route.junction is None
+    if kind is RoadKind.MOTORWAY and found.query.get("site") in DROPS.values():
+        return is_called(
+            found.route.network, found.route.network.elements[found.route.route.lane_ids[0]].road.id, "motorway"
+        )
     if kind in _OF_KIND:
         return found.query.get("site") in _OF_KIND[kind]
     if kind is RoadKind.PARKING_LOT:

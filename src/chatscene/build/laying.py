@@ -14,6 +14,7 @@ from chatscene.build.place import (
     NEXT_LANE,
     at_junction,
     at_roundabout,
+    ending_lane,
     in_bus_lane,
     in_cycle_lane,
     only_side_signs,
@@ -81,9 +82,10 @@ def _road_for(situation: Situation, *, rides: bool) -> LaidRoad | None:
     has = {*road.has}
     narrow = Feature.NARROW in has and ahead == 1
     junction = _meets(situation) if at_junction(situation) else None
-    drop = junction is None and (Feature.LANE_DROP in has or situation.ego.route is EgoRoute.MERGE)
+    ends = ending_lane(situation) if junction is None else None
+    drop = ends is not None or (junction is None and situation.ego.route is EgoRoute.MERGE)
     bay = junction is None and not drop and (Feature.BUS_BAY in has or Where.BUS_BAY in places)
-    divided = bool(back) and (_is_divided(situation) or along is Along.MOTORWAY)
+    divided = bool(back) and (_is_divided(situation) or along is Along.MOTORWAY or ends is Side.LEFT)
     try:
         return LaidRoad(
             ahead=ahead + (Feature.BUS_LANE in has) + rides,
@@ -102,7 +104,8 @@ def _road_for(situation: Situation, *, rides: bool) -> LaidRoad | None:
             crosswalk=not drop and (Feature.CROSSWALK in has or bool(places & AT_CROSSWALKS)),
             bus_bay=bay,
             driveway=_driveway(situation) if junction is None and not drop else None,
-            drop=drop,
+            drop=drop and ends is not Side.LEFT,
+            drop_left=ends is Side.LEFT,
             junction=junction,
             signs=_signs(situation) if junction is not None else None,
             length=_length(situation, junction=junction is not None),

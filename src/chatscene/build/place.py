@@ -22,6 +22,7 @@ from chatscene.terms.vocabulary import (
     EgoRoute,
     Facing,
     Feature,
+    Heads,
     RightOfWay,
     RoadKind,
     Side,
@@ -43,6 +44,8 @@ ROUNDABOUT_PLACES = frozenset((Where.IN_ROUNDABOUT, Where.ROUNDABOUT_ENTRY))
 WAYS = {Act.TURN_LEFT: Maneuver.LEFT_TURN, Act.TURN_RIGHT: Maneuver.RIGHT_TURN}
 DRIVEWAYS = {Side.RIGHT: Site.DRIVEWAY, Side.LEFT: Site.DRIVEWAY_LEFT}
 PACKAGED = ("town", "outskirts", "region")
+DROPS = {Side.RIGHT: Site.PAST_LANE_DROP, Side.LEFT: Site.PAST_LANE_DROP_LEFT}
+_COMES_OVER = acts_of(Heads.MERGES, Heads.BEFORE, Heads.OVER)
 _STOPS = HALTS | acts_of(Tempo.SETS_OFF, Tempo.WAITS)
 _TO_SIDE = {EgoRoute.LEFT_TURN: Side.LEFT, EgoRoute.RIGHT_TURN: Side.RIGHT}
 GOES_OVER = _TO_SIDE | {
@@ -137,6 +140,25 @@ def is_marked(found: Found) -> bool:
 def has_crosswalks(found: Found) -> bool:
     """Whether it leads over one before its junction, and over one behind it."""
     return Equipment.CROSSWALKS in found.query.get("has", ())
+
+
+def ending_lane(situation: Situation) -> Side | None:
+    """On which side of the ego's, or of the lane that it comes into, a lane is that was said to end; else None.
+
+    It is that from which somebody comes over, or else the outermost.
+    """
+    ego = situation.ego
+    if Feature.LANE_DROP not in situation.road.has:
+        return None
+    if any(deed.act in _COMES_OVER and deed.to is Side.RIGHT for deed in ego.does):
+        return Side.LEFT
+    over = (one for one in situation.others if one.starts.where in NEXT_LANE)
+    sides = [one.starts.side for one in over if any(deed.act in _COMES_OVER for deed in one.does)]
+    return (
+        Side.LEFT
+        if sides and all(side is Side.LEFT for side in sides) and ego.route is not EgoRoute.MERGE
+        else Side.RIGHT
+    )
 
 
 def in_bus_lane(situation: Situation) -> bool:

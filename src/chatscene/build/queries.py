@@ -12,6 +12,7 @@ from chatscene.build.over_lanes import lanes_needed
 from chatscene.build.place import (
     AT_CROSSWALKS,
     DRIVEWAYS,
+    DROPS,
     GOES_OVER,
     NEXT_LANE,
     PACKAGED,
@@ -21,6 +22,7 @@ from chatscene.build.place import (
     beside_lane,
     beside_ramp,
     control_of,
+    ending_lane,
     in_bus_lane,
     leaves_by_ramp,
     only_others_stop,
@@ -72,9 +74,8 @@ def _on_laid(situation: Situation, laid: LaidRoad, query: dict[str, Any]) -> dic
     if straight and innermost and any(map(_comes_over_median, situation.others)):
         asked |= {"lanes": laid.ahead, "lane": laid.ahead}
         asked.pop("beside") if asked.get("beside") == "none" else None
-    if laid.drop and straight and "lane" not in asked:
-        asked |= {"lanes": max(2, asked.get("lanes", 1)), "lane": 2}  # beside that which ends
-        asked.pop("site", None)
+    if laid.drops and straight and "lane" not in asked:  # beside that which ends
+        asked |= {"lanes": max(2, asked.get("lanes", 1)), "lane": 2 if laid.drop else -2}
         asked.pop("beside") if asked.get("beside") == "none" else None
     if laid.bend is not None and "approach" not in asked:
         share = IN_BEND if straight else BEYOND_BEND
@@ -177,6 +178,9 @@ def _sites(situation: Situation, sides: dict[str, Side]) -> Iterator[dict[str, A
     yield from ({"site": DRIVEWAYS[side].value} for side in turns_in(situation))
     if situation.ego.route is EgoRoute.ENTER_DRIVEWAY_ACROSS:
         yield {"site": Site.DRIVEWAY_LEFT.value}
+    if (side := ending_lane(situation)) is not None and situation.ego.route is not EgoRoute.MERGE:
+        over = situation.ego.route in (EgoRoute.LANE_CHANGE_LEFT, EgoRoute.LANE_CHANGE_RIGHT)
+        yield {"site": (Site.LANE_DROP if over else DROPS[side]).value}
     at_crosswalk = (one.starts.where is Where.CROSSING for one in situation.others)
     has = [*situation.road.has, *(Feature.CROSSWALK for marked in at_crosswalk if marked)]
     yield from ({"site": SITES[one].value} for one in dict.fromkeys(has) if one in SITES)
@@ -241,6 +245,8 @@ def _on_road(
         yield base | {"site": Site.PAST_OFF_RAMP.value} | beside | ({"opposite": True} if against else {})
     elif route is EgoRoute.EXIT:
         yield base | {"site": Site.OFF_RAMP.value}
+    elif route is EgoRoute.MERGE and Feature.LANE_DROP in road.has and not _by_a_ramp(situation):
+        yield base | {"site": Site.LANE_DROP.value, "lanes": max(2, road.lanes or 2)}
     elif route is EgoRoute.MERGE or road.kind is RoadKind.RAMP:
         yield base | {"site": Site.ON_RAMP.value} | ({"lanes": max(2, road.lanes or 2)} if lanes else {})
     elif road.kind is RoadKind.MOTORWAY:
@@ -249,6 +255,11 @@ def _on_road(
         if road.setting is Setting.RURAL and "site" not in base and not lanes:
             yield from _along(situation, base | {"site": Site.RURAL.value}, lanes)
         yield from _along(situation, base, lanes)
+
+
+def _by_a_ramp(situation: Situation) -> bool:
+    """Whether an ego merges from a ramp, whose lane ends, and not out of a lane of the road itself."""
+    return Feature.ON_RAMP in situation.road.has or situation.road.kind in (RoadKind.MOTORWAY, RoadKind.RAMP)
 
 
 def _at_junction(

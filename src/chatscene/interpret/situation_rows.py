@@ -66,6 +66,8 @@ SITES: dict[Site, Road] = {
     Site.RAIL_CROSSING: Road(kind=RoadKind.RAIL_CROSSING),
     Site.DRIVEWAY: Road(has=(Feature.DRIVEWAY,)),
     Site.DRIVEWAY_LEFT: Road(has=(Feature.DRIVEWAY,)),
+    Site.PAST_LANE_DROP: Road(has=(Feature.LANE_DROP,)),
+    Site.PAST_LANE_DROP_LEFT: Road(has=(Feature.LANE_DROP,)),
     Site.PAST_BEND: Road(kind=RoadKind.CURVE),
 }
 WAYS_OF_SITES = {Site.ROUNDABOUT: EgoRoute.ROUNDABOUT, Site.ON_RAMP: EgoRoute.MERGE, Site.OFF_RAMP: EgoRoute.EXIT}

@@ -115,6 +115,7 @@ class LaidRoad:
         bus_bay: Whether a bay for buses lies on its right.
         driveway: On which side a driveway leads off its middle.
         drop: Whether its outermost lane ends before its middle.
+        drop_left: Whether its innermost lane does, of a divided road.
         junction: In its middle: of three arms, on which side the third is.
         signs: What rules the junction.
         length: [m]
@@ -137,6 +138,7 @@ class LaidRoad:
     bus_bay: bool = False
     driveway: Sides | None = None
     drop: bool = False
+    drop_left: bool = False
     junction: Meets | None = None
     signs: Signs | None = None
     length: int = LENGTH
@@ -176,13 +178,19 @@ class LaidRoad:
             ),
             (self.bend is not None and self.junction is not None, "no junction lies in a bend"),
             (self.junction is not None and not self.back, "a junction is on a road of two directions"),
-            (self.drop and (self.ahead < 2 or self.bend is not None or self.junction is not None), _DROP),
-            (self.drop and bool(taken), "nothing else lies along a road of which a lane ends"),
+            (self.drops and (self.ahead < 2 or self.bend is not None or self.junction is not None), _DROP),
+            (self.drops and bool(taken), "nothing else lies along a road of which a lane ends"),
+            (self.drop_left and (self.drop or not self.median), "one lane ends, and the innermost into a median"),
             (self.bus_bay and self.parking is not None, "one parks beside no road that has a bay for buses"),
             (self.driveway is not None and self.junction is not None, "a driveway leads off between junctions"),
             (radius <= self._inside(), "what lies inside its bend is wider than the bend's radius"),
             (self.bus_bay and (self.bend is not None or self.junction is not None), "a bay lies on a straight road"),
         )
+
+    @property
+    def drops(self) -> bool:
+        """Whether one of its lanes ends."""
+        return self.drop or self.drop_left
 
     def _inside(self) -> float:
         """How far [m] from the middle of its bend what lies inside of that goes; 0 without one."""
@@ -226,7 +234,7 @@ _READ: Mapping[str, Callable[[str], Any]] = {
     "length": int,
 }
 """How each word of a name that has a value is read."""
-_PLAIN = {"bus-lane", "cycle-lane", "ridden", "tram", "crosswalk", "bus-bay", "drop"}
+_PLAIN = {"bus-lane", "cycle-lane", "ridden", "tram", "crosswalk", "bus-bay", "drop", "drop-left"}
 WORDS = ", ".join((*(f"{word}=…" for word in _READ), *sorted(_PLAIN)))
 
 
@@ -430,12 +438,14 @@ def _one_side(street: Street, length: float, *, turned: bool) -> Street:
 
 def _dropping(road: LaidRoad, street: Street) -> tuple[Street, ...]:
     """A street whose outermost lane ends before its middle: two, that follow each other."""
-    if not road.drop:
+    if not road.drops:
         return (street,)
-    assert street.start_at is not None and street.end_at is not None
     first = road.length * 0.6
-    joint = (street.start_at[0] + first, street.start_at[1])
     ends = (first - _DROPS - 20.0, first - 20.0)
+    if road.drop_left:
+        return (replace(street, inner=ends),)
+    assert street.start_at is not None and street.end_at is not None
+    joint = (street.start_at[0] + first, street.start_at[1])
     before = replace(street, end=3, end_at=joint, ceases=ends, one_sided=True)
     beyond = replace(street, id=3, start=1, start_at=joint, lanes=road.ahead - 1)
     return before, beyond

@@ -106,6 +106,7 @@ _WITH = {
     Site.RAIL_CROSSING: REGION,
     Site.DRIVEWAY: f"{PREFIX}1+1,driveway=right",
     Site.DRIVEWAY_LEFT: f"{PREFIX}1+1,driveway=left",
+    Site.PAST_LANE_DROP_LEFT: f"{PREFIX}2+2,median=3,drop-left",
     Site.PAST_BEND: f"{PREFIX}1+1,bend=left-80",
 }
 

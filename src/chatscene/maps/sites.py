@@ -48,7 +48,7 @@ BEFORE_SWERVE = 0.64  # of the way up to whom an ego swings out round, on which 
 PASSED = frozenset(
     (
         *(Site.CROSSWALK, Site.PARKING, Site.BUS_BAY, Site.RAIL_CROSSING),
-        *(Site.DRIVEWAY, Site.DRIVEWAY_LEFT, Site.PAST_BEND),
+        *(Site.DRIVEWAY, Site.DRIVEWAY_LEFT, Site.PAST_LANE_DROP, Site.PAST_LANE_DROP_LEFT, Site.PAST_BEND),
     )
 )
 """What a route on open road leads past."""
@@ -294,11 +294,9 @@ def _out_of_ending_lanes(network: Any, maneuver: Maneuver, variant: int, further
     side = {Maneuver.LANE_CHANGE_LEFT: 1, Maneuver.LANE_CHANGE_RIGHT: -1}.get(maneuver)
     runs = lane_runs(network)
     for run in dict.fromkeys(runs.values()):
-        if side is None or run.lanes[-1].maneuvers or wide_at(run, run.line.length):
+        last = _tapers_at(run)
+        if side is None or last is None:
             continue
-        last = run.line.length
-        while last > 0 and not wide_at(run, last):
-            last -= 2.0
         before, over = BEFORE * further, OVER * further
         at = last - CHANGES[variant] * further - over
         beside = _beside(run, at, at + over, side) if at > before else None
@@ -334,6 +332,8 @@ def windows_past(
         marks = _begins(run, furniture_of(network).crosswalks)
     elif site is Site.RAIL_CROSSING:
         marks = _begins(run, ((road, area) for road, area, across in furniture_of(network).tracks if across))
+    elif site in _DROPS:
+        marks = list(_lanes_end_beside(network, run, _DROPS[site]))
     elif site is Site.PAST_BEND:
         marks = [at + BEFORE_SWERVE * (approach or PAST[0]) for at in bends_end(run)]
     elif site in _DRIVEWAYS:
@@ -359,8 +359,31 @@ def _begins(run: LaneRun, areas: Iterable[tuple[int, shapely.Polygon]]) -> list[
 
 _DRIVEWAYS = {Site.DRIVEWAY: True, Site.DRIVEWAY_LEFT: False}
 """On which side of a route the driveway lies: the right or not."""
-_AS_ASKED = frozenset((*_DRIVEWAYS, Site.PAST_BEND))
+_DROPS = {Site.PAST_LANE_DROP: -1, Site.PAST_LANE_DROP_LEFT: 1}
+"""On which side of a route a lane ends: 1 is its left."""
+_AS_ASKED = frozenset((*_DRIVEWAYS, *_DROPS, Site.PAST_BEND))
 """What is as far ahead on each route."""
+
+
+def _lanes_end_beside(network: Any, run: LaneRun, side: int) -> Iterator[float]:
+    """Where on a run [m] a lane beside it is no longer one to drive on, since it tapers out."""
+    for other in dict.fromkeys(lane_runs(network).values()):
+        if other is run or (last := _tapers_at(other)) is None:
+            continue
+        at = run.line.project(*other.line.point_at(last - 1.0))[0]
+        beside = neighbour(run, at, side) if 0.0 < at < run.line.length else None
+        if beside is not None and not opposes(run.lane_at(at), beside) and beside in other.lanes:
+            yield at
+
+
+def _tapers_at(run: LaneRun) -> float | None:
+    """Where [m] a run becomes too narrow to drive on, as it ends; None if it does not end so."""
+    last = run.line.length
+    if run.lanes[-1].maneuvers or wide_at(run, last):
+        return None
+    while last > 0 and not wide_at(run, last):
+        last -= 2.0
+    return last
 
 
 def bends_end(run: LaneRun) -> list[float]:

@@ -163,6 +163,8 @@ class Site(StrEnum):
     RAIL_CROSSING = "rail-crossing"  # rails lead across the road
     DRIVEWAY = "driveway"  # on its right, a way off the road to a house, a yard or a field
     DRIVEWAY_LEFT = "driveway-left"  # the same on its left
+    PAST_LANE_DROP = "past-lane-drop"  # beside a lane on its right that tapers out
+    PAST_LANE_DROP_LEFT = "past-lane-drop-left"  # the same on its left
     PAST_BEND = "past-bend"  # through a bend, or its last part, and on where the road is straight again
 
 

@@ -180,6 +180,8 @@ def _street_road(root: Xml.Element, street: Street, plan: dict[int, Street], sta
     length = sum(piece.length for piece in pieces)
     cuts = sorted({0.0, *(s for bay in street.bays for s in (bay.start, bay.end))})
     lanes = Xml.SubElement(road, "lanes")
+    for s, here, there, over in _parts(_inner(street, 0.0, -street.lane, length)) if street.inner else ():
+        _cubic(lanes, "laneOffset", "s", s, here, there, over)
     for begin, end in pairwise((*cuts, length)):
         before = street if begin else _joined(street.start, plan)
         beyond = street if end < length else _joined(street.end, plan)
@@ -202,7 +204,7 @@ def _lane_section(
     left, centre, right = (Xml.SubElement(section, name) if there else None for name, there in sides)
     assert centre is not None
     if left is not None and street.median:
-        _grass(left, street)
+        _grass(left, street, span[-1])
         left = None
     narrow = street.lanes == street.lanes_back == 1
     _mark(Xml.SubElement(centre, "lane", id="0", type="none", level="false"), "broken" if narrow else "solid")
@@ -222,10 +224,12 @@ def _lane_section(
             _lane_links(element, *ends)
 
 
-def _grass(side: Xml.Element, street: Street) -> None:
-    """The half of a median that belongs to a carriageway."""
+def _grass(side: Xml.Element, street: Street, length: float) -> None:
+    """The half of a median that belongs to a carriageway, and what becomes of a lane that tapers out into it."""
     lane = Xml.SubElement(side, "lane", id="1", type="median", level="false")
-    _width(lane, 0.0, street.median, street.median, 1.0)
+    wide = street.median
+    for part in _parts(_inner(street, wide, wide + street.lane, length)) if street.inner else ((0.0, wide, wide, 1.0),):
+        _width(lane, *part)
     _mark(lane, "none")
 
 
@@ -288,6 +292,8 @@ def _profile(
         none, full = 0.0 if street.begins else street.lane, street.lane
         knots = [(0.0, none), (b0, none), (b1, full), (c0, full), (c1, 0.0 if street.ceases else full)]
         knots.append((length, knots[-1][1]))
+    elif street.inner and right and number == 1:
+        knots = _inner(street, street.lane, 0.0, length)
     elif number <= driving:
         knots = [(0.0, wide := street.width_of(number, right=right)), (length, wide)]
     elif number > driving + bool(street.shoulder):
@@ -300,6 +306,17 @@ def _profile(
         first, last = street.nose
         full = street.shoulder
         knots = [(0.0, 0.0 if first else full), (first, full), (length - last, full), (length, 0.0 if last else full)]
+    return _parts(knots)
+
+
+def _inner(street: Street, before: float, beyond: float, length: float) -> list[tuple[float, float]]:
+    """Where what tapers with the innermost lane begins and ends to do so, and how wide [m] it is there."""
+    assert street.inner is not None
+    return [(0.0, before), (street.inner[0], before), (street.inner[1], beyond), (length, beyond)]
+
+
+def _parts(knots: list[tuple[float, float]]) -> list[tuple[float, float, float, float]]:
+    """Where each part between knots starts, its width there and at its end, and how long it is, all [m]."""
     parts = [(s, here, there, beyond - s) for (s, here), (beyond, there) in pairwise(knots) if beyond - s > 1e-9]
     joined = parts[:1]
     for part in parts[1:]:  # one part for what stays as wide as it is
@@ -313,11 +330,15 @@ def _profile(
 
 def _width(element: Xml.Element, s: float, here: float, there: float, over: float) -> None:
     """A width that goes from one value to another without a kink."""
+    _cubic(element, "width", "sOffset", s, here, there, over)
+
+
+def _cubic(element: Xml.Element, name: str, at: str, s: float, here: float, there: float, over: float) -> None:
     change = there - here
     Xml.SubElement(
         element,
-        "width",
-        sOffset=decimal(s),
+        name,
+        {at: decimal(s)},
         a=decimal(here),
         b="0",
         c=decimal(3 * change / over**2) if change else "0",

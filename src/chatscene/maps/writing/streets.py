@@ -76,6 +76,7 @@ class Street:
         sidewalk: Width of each sidewalk [m], 0 for none.
         begins: From where to where [m] the outermost lanes come into being.
         ceases: From where to where [m] the outermost lanes taper out.
+        inner: From where to where [m] the innermost lane of a carriageway tapers out into its median, if it does.
         one_sided: Whether only the outermost lane in its direction does either.
         nose: Over how many metres the shoulder widens from nothing at the start, and narrows to nothing at the end.
         median: Width of the grass on the left of a carriageway [m], 0 for none.
@@ -105,6 +106,7 @@ class Street:
     sidewalk: float = SIDEWALK
     begins: tuple[float, float] | None = None
     ceases: tuple[float, float] | None = None
+    inner: tuple[float, float] | None = None
     one_sided: bool = False
     nose: tuple[float, float] = (0.0, 0.0)
     median: float = 0.0
