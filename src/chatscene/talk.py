@@ -20,11 +20,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class Shown:
-    """The situation as it stands.
-
-    Attributes:
-        understood: How it is understood.
-    """
+    """The situation as it stands."""
 
     understood: Understood | Stated
 
@@ -34,7 +30,6 @@ class Undone:
     """An edit that was taken back.
 
     Attributes:
-        edit: What it had said.
         edited: What had come of it; the situation is what that was `before`.
     """
 
@@ -163,7 +158,6 @@ class Answer:
 
     Attributes:
         reading: The number of the one taken, of those that were offered; 0 for none.
-        facts: What was stated, by slot.
     """
 
     reading: int = 0
@@ -199,10 +193,7 @@ class Kept(TypedDict):
 
     Attributes:
         text: What was said first and understood; empty if nothing was.
-        answer: What was answered of it.
-        edits: Those that stand, in order.
         asked: What was said last, understood or not: what is answered for.
-        answered: What was answered of that.
     """
 
     text: str

@@ -38,7 +38,6 @@ class Other:
         db: Speed to its left [m/s].
         half_along: Half its extent along the route [m].
         half_beside: Half its extent across it [m].
-        walks: Whether it walks.
     """
 
     along: float

@@ -36,10 +36,7 @@ class Others:
         speed_beside: [m/s].
         half_along: Half the extent along the route [m].
         half_beside: Half the extent across it [m].
-        now_along: Where they are now.
-        now_beside: Where they are now.
         moves: 1 for those who move now.
-        belief: What each expectation counts.
         surely: Whether it is that somebody goes on.
         stays: Whether it is that somebody goes on in our way or beside it, and does not cross it.
     """

@@ -41,15 +41,11 @@ class Site:
     """What a plan is said of.
 
     Attributes:
-        limits: Of the actor.
         grip: What the road holds [m/s²].
-        walks: Whether the actor is on foot.
         prefix: What its lines are called, with a number behind.
         value: What an expression stands for that stays, such as a path.
         start_on: Where on a line the actor starts: along and to the left [m], and its turn [rad].
-        ego_line: The line of the ego's route.
         lane_of: The number of the lane that a line follows, for somebody who comes from another line.
-        ranges: Of the parameters.
         pace: What the ego drives at where nothing holds it [m/s].
     """
 

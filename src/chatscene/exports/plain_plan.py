@@ -49,7 +49,6 @@ class Plain:
 
     Attributes:
         plan: The plan; its paths are names of `lines`.
-        lines: Its lines, by name.
         lanes: The lanes of those that it changes to.
         unsaid: What the format has no word for, and the rest is true without, in words.
     """

@@ -25,12 +25,8 @@ class Cast:
     """Whom a story may speak of.
 
     Attributes:
-        given: The parameters of the file.
         positions: Finds places; knows where everybody is at first.
-        ego: What the file calls the ego.
         names: What the story calls each of the file's road users.
-        entities: Who there is in the file.
-        route_of: The line of a Route.
         mirrored: Whether metres count to the right of who drives, as in CARLA.
         called: What the story calls its parts and variables.
         lines: The lines that are followed, by name; more are added.

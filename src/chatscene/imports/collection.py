@@ -30,7 +30,6 @@ class FileRecord(_Frozen):
 
     Attributes:
         file: Its path from the folder that was imported.
-        about: What it says of itself.
         programs: The programs that it became, by paths from the folder of the record.
         maps: The map of each: a packaged one or a town by its name, any other by its path from that folder.
         refused: Why it became none; empty where it became one, or is a catalog.

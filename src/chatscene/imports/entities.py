@@ -32,7 +32,6 @@ class Entities:
     """The entities of a file.
 
     Attributes:
-        objects: Their elements, by name.
         groups: The names of those that a selection holds, by its name.
         types: The names of those of a type, by what a file calls it.
     """

@@ -38,12 +38,9 @@ class ImportedScenario:
 
     Attributes:
         program: The Scenic program; of several variants the first.
-        map_path: The map that it lies on.
         notes: What was taken otherwise than it is written, or left to others, each with its line.
         programs: All programs, one for each variant that was asked for.
-        maps: The map of each of them.
         variants: The number of the variant of each of them; none where the file is one scenario.
-        count: How many variants the file has.
         refused: Why variants that were asked for became no program, one message each.
         not_as_written: Of each program, what keeps its own ego from driving as its file says.
         notes_as_written: As `notes`, where its own ego drives so.

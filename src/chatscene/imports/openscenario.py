@@ -155,11 +155,7 @@ class Imported:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Carried:
-    """The program that a scenario carries, as no event of it was changed.
-
-    Attributes:
-        map_path: The map that it lies on.
-    """
+    """The program that a scenario carries, as no event of it was changed."""
 
     source: str
     map_path: Path

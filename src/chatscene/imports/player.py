@@ -34,11 +34,7 @@ class Player:
     """Whose events are read.
 
     Attributes:
-        name: In the file.
-        ego: The ego's name in the file.
         prefix: What its lines are called, with a number behind.
-        limits: What it can do.
-        walks: Whether it is on foot.
         speed: At first [m/s].
         way: The name of the line that it follows at first; None if it follows none.
         start: Where on that line it is, of its centre [m].

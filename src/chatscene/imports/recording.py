@@ -28,13 +28,11 @@ class Poses:
     """One road user as a file has it.
 
     Attributes:
-        name: What it is called there.
         kind: A class of our world model, or a word of a situation for what it is.
         time: (T,) [s], growing.
         x, y: (T,) [m], of its centre.
         heading: (T,) [rad, 0 = +x, counter-clockwise].
         speed: (T,) [m/s], along the heading.
-        ego: Whether it is marked as the ego.
         length, width: [m]; None for those of its kind.
     """
 
@@ -57,7 +55,6 @@ class Recording:
     Attributes:
         tracks: The ego's first; all of one length, at steps of `DT` from where the ego begins to where it ends, and
             without a number (nan) where somebody is not there.
-        notes: Who was left out.
     """
 
     tracks: tuple[Track, ...]

@@ -36,7 +36,6 @@ class Shape:
     Attributes:
         points: x and y of each [m], those at which somebody waits twice.
         times: When each is passed [s]; None where no time is told.
-        line: The line through them.
         faces: Which way somebody looks at each point [rad]; empty where that is along the line, as the file says;
             None where it does not say it.
         closed: Whether the last point leads to the first again.

@@ -40,8 +40,6 @@ class Member:
     """Somebody in a story.
 
     Attributes:
-        name: As the story calls it.
-        kind: Its class in the world model.
         length: [m].
         width: [m].
         x: Of its centre [m].

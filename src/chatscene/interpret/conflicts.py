@@ -47,9 +47,7 @@ class _Way:
     """A way to cut the beginning of a report.
 
     Attributes:
-        likely: How likely it is, in nats.
         last: Its last passage; none of an empty one.
-        before: The way without that.
     """
 
     likely: float

@@ -77,8 +77,6 @@ class Parties:
 
     Attributes:
         adversary: The first who meets the ego.
-        beside: Others who do something.
-        hides: Who hides the adversary.
         leads: Who drives slowly ahead of the ego.
         blocks: Who stands in the ego's way, beside the adversary.
     """

@@ -52,7 +52,6 @@ class _Counts:
     """Which terms stand in which wordings, term by term in alphabetical order.
 
     Attributes:
-        terms: The terms, a line each.
         starts: (T + 1,) where in `terms` each begins, and behind the last.
         rarity: (T,) the weight of each.
         ends: (T,) where in `rows` and `times` those of each end.

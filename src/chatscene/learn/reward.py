@@ -23,7 +23,6 @@ class Moment:
     """What one step did; or what a step of each of several drives did, with an (N,) array for each number.
 
     Attributes:
-        collided: The ego collided in it.
         speed: Speed after it [m/s].
         lateral: Lateral offset from the route after it [m].
         steer: The wheel command in it, in [-0.3, 0.3].

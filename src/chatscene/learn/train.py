@@ -85,9 +85,6 @@ class TrainSettings:
         reward: One of `chatscene.learn.reward.REWARDS`.
         pedals: One of `chatscene.ego.policy.PEDALS`.
         steps: Environment steps of 0.1 s.
-        round: Steps between two evaluations.
-        seed: Everything random derives from it.
-        map_name: Where.
         simulator: In what, one of `chatscene.simulate.simulator.SIMULATORS`.
         physics: How bodies answer there, one of `chatscene.settings.PHYSICS`.
         speed: What the ego is to drive at [km/h], within the limits of the roads, and everybody in proportion; 0 where
@@ -143,7 +140,6 @@ class Trained:
     Attributes:
         folder: Where everything is; `policy.npz` is the best ego, which `--ego` takes.
         curve: One row per round: steps, seconds, and the figures of the ego then.
-        best: The row of the ego that was kept.
     """
 
     folder: Path

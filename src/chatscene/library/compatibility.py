@@ -124,9 +124,6 @@ class Compatibility:
     asked for: all triples of 10,000 snippets would be some 30 billion.
 
     Attributes:
-        behaviors: In the order of the library.
-        geometries: The same.
-        spawns: The same.
         sorts: Of each behavior, geometry and spawn the number of its sort.
     """
 

@@ -219,12 +219,8 @@ class _Row:
     """A snippet among those of a file.
 
     Attributes:
-        where: What messages begin with.
-        name: End of the snippet's id.
         values: Values of the row; empty if the file is no family.
-        written: The same as texts.
         known: Keys that some row of the family has.
-        used: Keys that something asked for.
     """
 
     where: str

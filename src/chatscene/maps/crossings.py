@@ -34,7 +34,6 @@ class CrossingPath:
 
     Attributes:
         line: Its lane before the junction, through it, and after.
-        turn: What it does there.
         from_side: Where it comes from, seen from the ego: ``left``, ``right`` or ``oncoming``.
         entry: Arc length [m] on `line` where it enters the junction.
         meets_at: Arc length [m] on `line` where it first comes near the ego's route.

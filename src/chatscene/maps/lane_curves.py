@@ -90,7 +90,6 @@ class End:
 
     Attributes:
         kind: ``road`` or ``junction``.
-        number: Of that.
         contact: ``start`` or ``end`` of that road; nothing for a junction.
     """
 
@@ -103,7 +102,6 @@ class DrawnRoad:
     """A road as it is written.
 
     Attributes:
-        name: As its map has it.
         junction: The number of the junction that it leads through; -1 for none.
         ends: What it leads to before its ``start`` and after its ``end``, where that is told.
     """

@@ -20,7 +20,6 @@ class LaneRun:
     """Lanes that follow one another without a choice.
 
     Attributes:
-        lanes: Scenic's lanes, in driving order.
         line: Their centre line [m], map frame.
         ends: Arc length on `line` at which each lane ends [m].
     """

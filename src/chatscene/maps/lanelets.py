@@ -35,7 +35,6 @@ class Beside:
     """A lanelet that shares a bound with another from end to end.
 
     Attributes:
-        number: Its own.
         same_way: Whether both are driven in one direction.
     """
 
@@ -53,8 +52,6 @@ class Lanelet:
         right: (N, 2) [m], each point beside that of `left`.
         after: The numbers of those that it leads to.
         before: The numbers of those that lead to it.
-        on_left: Who shares its left bound.
-        on_right: Who shares its right bound.
         in_junction: Whether it leads through a junction.
     """
 

@@ -27,7 +27,6 @@ class Extract:
     Attributes:
         latitude: Of the middle of its streets [degrees north].
         longitude: Of the middle of its streets [degrees east].
-        streets: Ways that cars drive on.
         backways: Service roads and tracks, without which a map is made.
         stacked: Streets on bridges, in tunnels or on a layer of their own, by name or id.
     """

@@ -17,7 +17,6 @@ class Stretch:
     """A part of a road that is gone along.
 
     Attributes:
-        road: Its name.
         first: Where it begins on the road's reference line [m].
         last: Where it ends there [m].
         way: 1 where it is gone along the line, -1 where it is gone against it.

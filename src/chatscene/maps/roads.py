@@ -75,9 +75,7 @@ class Element(Area):
     """A part of the network: a road, a lane, or another.
 
     Attributes:
-        uid: Scenic's id of it.
         id: That of the map's file, where it has one.
-        network: The network that it belongs to.
     """
 
     network: Roads
@@ -203,10 +201,8 @@ class Roads:
     """A network.
 
     Attributes:
-        elements: All of its parts, by Scenic's id.
         tolerance: How far [m] a point may lie outside what it is said to lie in.
         mirrored: Whether it is the mirror image of its map, which is of left-hand traffic.
-        drivableRegion: All lanes and junctions.
         intersectionRegion: All junctions, where there are any.
         furniture: See `chatscene.maps.furniture.furniture_of`.
         speed_limits: See `chatscene.maps.limits.limits_of`.

@@ -48,20 +48,14 @@ class MapDescription:
 
     Attributes:
         keeps: To which side traffic keeps: ``left`` or ``right``.
-        lanes: Driving lanes outside junctions.
         lane_kilometres: Their length together [km].
         sidewalks: Sidewalks along roads and round corners.
-        shoulders: Shoulders and parking strips.
         junctions: How many junctions there are by arms and control, e.g. ``4-way signal``; those at which roads
             merge or part and those of roundabouts are not among them.
-        roundabouts: How many there are.
         merges: Where roads become one, as at an on-ramp.
         diverges: Where one road becomes several, as at an off-ramp.
         weaving_sections: Where an on-ramp and an off-ramp share a lane.
         motorway_kilometres: Length of all carriageways of motorways together [km].
-        crosswalks: On roads outside junctions.
-        parking_strips: Along roads.
-        bus_bays: Along roads.
         left_out: Lanes of types that nobody drives or walks on here, such as ``bus``, by type.
         routes: How many routes each base scenario finds, ten being all that are asked for; where it is made of
             several manoeuvres, all of them together, ten each.

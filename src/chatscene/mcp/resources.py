@@ -36,10 +36,8 @@ class Kind:
     """A row of the table of resources.
 
     Attributes:
-        says: What it is, for an agent.
         reads: Its content, from what stands behind its name, and what is asked of it.
         behind: What stands behind its name, as a template of an address has it; empty for nothing.
-        media: Its media type.
     """
 
     says: str

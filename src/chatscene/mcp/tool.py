@@ -46,7 +46,6 @@ class Answer:
     """What a tool says.
 
     Attributes:
-        text: In words.
         picture: A picture beside it, as PNG; empty for none.
     """
 
@@ -59,7 +58,6 @@ class Tool:
     """A row of the table of tools.
 
     Attributes:
-        name: By which agents call it.
         does: The function: a desk, then the arguments of a call by name. Its docstring tells agents what it does.
         writes: Whether it makes files in the folder.
     """

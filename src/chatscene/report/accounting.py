@@ -22,9 +22,6 @@ class Part:
     Attributes:
         text: As it was written, with what stands between its words.
         before: What stands before it, between words.
-        fact: The fact that it gave.
-        besides: Why it is without effect.
-        colour: The number of the fact's colour.
     """
 
     text: str

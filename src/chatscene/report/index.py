@@ -52,10 +52,7 @@ class Large:
     """A run with so many scenes that an index reads no row of them before it is asked for.
 
     Attributes:
-        run: What it is called.
-        folder: Where it is.
         selects: By table (`scenes`, `parameters`, `events`), its rows as a SELECT in DuckDB's SQL.
-        files: What these read.
     """
 
     run: str

@@ -46,10 +46,7 @@ class Column:
     """A column of a table.
 
     Attributes:
-        name: Its name.
-        meaning: What it holds.
         unit: Of its numbers, such as ``m/s``; empty where they have none.
-        type: Its type, one of Arrow's.
     """
 
     name: str

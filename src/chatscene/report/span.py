@@ -21,9 +21,7 @@ class Span:
     """The part of a drive that is shown first; all are steps.
 
     Attributes:
-        first: Shortly before what happened.
         moment: When it happened; when the ego was nearest to somebody, if nothing did.
-        last: Shortly after.
     """
 
     first: int

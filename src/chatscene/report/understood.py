@@ -27,11 +27,7 @@ class Understood:
     """What became of a sentence before anything was run (steps 2 to 4).
 
     Attributes:
-        scenario: What was read.
         retrieval: The snippets that serve it and why; None for a generator that does not retrieve.
-        program: The program.
-        generator: Who made it, by name.
-        reading: The settings by which it was made.
     """
 
     scenario: Scenario

@@ -51,8 +51,6 @@ class Beside:
 
     Attributes:
         ego: Who drove them as well; empty if nobody did.
-        senses: What that ego sees, in words.
-        drives: Its drives, by scene.
         stories: Of the first crashes, by scene.
         why_not: Why nothing was driven again; empty if it was.
     """

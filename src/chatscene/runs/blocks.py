@@ -73,9 +73,7 @@ class Damaged:
     """A part of an unfinished run that does not count.
 
     Attributes:
-        part: Its file.
         file: The one that is wrong: the part or its tracks.
-        why: What is wrong with that.
     """
 
     part: Path

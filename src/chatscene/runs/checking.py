@@ -19,9 +19,7 @@ class Condition:
     """What became of a run folder since it was written.
 
     Attributes:
-        folder: Which.
         damaged: What is wrong, by the path of the file in the folder.
-        missing: Files that were there.
         added: Files that nobody wrote who worked on the run; they change nothing.
         unknown: Why nothing can be said of it, or of its blocks; empty if all of it was checked.
     """

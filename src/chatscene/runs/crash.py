@@ -25,10 +25,6 @@ class Contact:
 
     Attributes:
         time: When [s].
-        other: Whom the ego collided with.
-        kind: What that is.
-        fault: Who struck whom.
-        strike: How they touch.
         ego_part: Where on the ego: ``front``, ``rear``, ``left`` or ``right``.
         other_part: Where on the other; empty of a walker or a thing.
         ego_speed: Before the step that ended in contact [m/s].
@@ -83,7 +79,6 @@ class Pace:
     Attributes:
         ego: (T,) The ego's speed [m/s], without a sign.
         other: (T,) The other's.
-        noun: What the other is called.
         dt: Length of a step [s].
         speeds: The same in numbers, before the encounter and at the impact.
         harm: What published injury-risk curves say of such an impact, in clauses; empty if none is of it.

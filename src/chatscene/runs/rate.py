@@ -50,8 +50,6 @@ class Rate:
     """How often a situation ends in a crash, of scenes that can be placed, if the situation comes about.
 
     Attributes:
-        text: What was said.
-        ego: Who drives.
         stored: How many drives of the run were counted.
         driven: How many were made for this, of scenes that could be placed.
         drawn: How many scenes were drawn in all, those that could not be placed as well.

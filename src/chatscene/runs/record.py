@@ -156,8 +156,6 @@ class Record(_Frozen):
     field with one says what has become of it, or may be another the next time.
 
     Attributes:
-        settings: All settings, resolved.
-        versions: Of what the numbers depend on.
         timings: Seconds by phase, and whatever else differs between two equal runs.
         files: SHA-256 of every other file that the work left, by its path in the folder; empty until it is done.
         inside: The folders in it that have a `run.json` of their own, by path; empty until the work is done.
@@ -287,7 +285,6 @@ class EvaluationRecord(MapRecord):
     Attributes:
         speed: What egos drive at [km/h] where none was said; None for what the programs have. Asked for, though older
             records have none.
-        failures: Why an ego was given up, by ego.
     """
 
     kind = Kind.EVALUATION
@@ -312,7 +309,6 @@ class ComparisonRecord(Record):
         egos: Who drives, as they were given; none where each program is only driven as its file says.
         ego_digests: SHA-256 of each ego that is a file, by the ego as it was given.
         senses: What each ego sees and brakes with, by ego, as `chatscene.ego.policy.senses_of` names it.
-        failures: Why an ego was given up, by ego.
     """
 
     kind = Kind.COMPARISON

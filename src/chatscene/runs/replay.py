@@ -30,7 +30,6 @@ class Replayed:
     """A scene simulated again.
 
     Attributes:
-        scene_id: Which.
         difference: Where the tracks first differ, in words; empty if every number is the same within the tolerance.
         within: The tolerance [m]; 0 where the simulator repeats itself to the bit.
         apart: The largest distance [m] between where an actor was and is at the same step.

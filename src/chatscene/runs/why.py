@@ -52,7 +52,6 @@ class Back:
 
     Attributes:
         name: The id of a scene, or `MIDDLE`.
-        values: The parameters there.
         came: What comes with all of them set back.
     """
 
@@ -66,8 +65,6 @@ class Why:
     """Why a scene crashed. Times are those of the scene [s].
 
     Attributes:
-        scene_id: Which.
-        contact: Who struck whom.
         pace: How fast both were, at which moment.
         risk: From when on a careful driver sees the crash coming; None if never.
         careful_brakes: When such a driver would begin to brake; None without a risk.

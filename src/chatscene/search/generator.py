@@ -30,7 +30,6 @@ class Written:
     """What a generator made of a scenario.
 
     Attributes:
-        program: The program.
         retrieval: Why it consists of these snippets; None for a generator that does not retrieve.
         left_out: What was written and has no effect on its drives, in lines for a person.
     """

@@ -75,7 +75,6 @@ class Aimed:
         centres: (M, dimensions) their points.
         lines: Of each, the numbers of the drives that led to it one by one, with its own.
         width: (dimensions,) standard deviations of the kernels, which are normal and cut off at the cube.
-        exposure: The rest.
     """
 
     centres: Array
@@ -148,8 +147,6 @@ class Batch:
     """Points that were drawn together, whether they could be placed or not.
 
     Attributes:
-        count: How many.
-        density: What they were drawn from.
         route: On which route all of them; None if on every route alike.
         around: (count,) the number of the drive around which each was drawn, -1 of none; None if none was around any.
     """

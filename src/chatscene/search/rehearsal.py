@@ -224,9 +224,7 @@ class _Tried:
     """A program that was driven.
 
     Attributes:
-        program: Which.
         missing: What each drive does not show.
-        values: What each was driven with.
         late: Who is too late or too early for the meeting that it belongs to, in each.
         cut: How many facts each did not come to.
         met: The names of the ranges that were shifted for a meeting.

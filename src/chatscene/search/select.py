@@ -18,11 +18,8 @@ class Candidate:
     """A scene that was driven once by the surrogate ego.
 
     Attributes:
-        scene_id: Which.
-        collided: Whether the ego collided.
         shown: Whether its drive showed what was read (`chatscene.program.meaning`).
         avoidable: Whether a careful driver would have avoided the collision; None without one.
-        overall_score: Of that one drive, paper mode.
         crash_type: Of which kind the collision is (`chatscene.measure.crash_type`); empty without one.
         waits: Whether the ego waits at the end behind somebody who does not move on.
         happened: Whether anything happened to it: a collision, a near miss, hard braking or evasive steering.
@@ -56,7 +53,6 @@ class Selected:
     """A scene that is kept.
 
     Attributes:
-        scene_id: Which.
         fill_in: It did not collide, though that was not said; it is kept because too few did.
     """
 

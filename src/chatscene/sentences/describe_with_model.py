@@ -66,10 +66,8 @@ class Unserved:
     """A sentence of a model that was not kept.
 
     Attributes:
-        text: It, printable.
         reason: ``text``, ``duplicate``, ``adversary``, ``base``, ``refused`` or ``same triple``; ``reply`` if there was
             none.
-        message: Why, in words.
     """
 
     text: str
@@ -84,7 +82,6 @@ class Told:
     Attributes:
         by_model: Sentences of the model's that the library serves, each by a triple of its own.
         topped_up: Sentences written offline, for those that were missing.
-        unserved: The model's other sentences.
     """
 
     by_model: tuple[Description, ...]

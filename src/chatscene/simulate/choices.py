@@ -43,7 +43,6 @@ class Choices:
     Attributes:
         selectors: What is chosen: Scenic's numbers of it.
         ways: The numbers of each way that serves.
-        weights: How likely each way is.
         none: Why no way serves; empty where one does.
     """
 

@@ -20,9 +20,7 @@ class Obedience:
     """An ego that is held to its orders.
 
     Attributes:
-        orders: What it is held to.
         met: Since when [s] each counts; inf of one that waits for somebody, and of one that is over since it has met.
-        waits: Which wait for somebody.
     """
 
     orders: Sequence[Order]

@@ -34,7 +34,6 @@ class Acting:
     """Somebody who acts, and when all that it does is done.
 
     Attributes:
-        number: Which of the scene's objects.
         last: The phase from which on it does nothing new.
         waits: Of each phase, whether it ends by where somebody is, so that it does not while all stand.
         until: Where the ego is when it no longer waits for it: arc length [m] on the ego's route.
@@ -52,13 +51,10 @@ class Over:
 
     Attributes:
         bodies: Everybody, the ego first.
-        line: The ego's route.
         dt: Step [s].
-        acting: Who acts.
         beyond: Arc length [m] on its route beyond which an ego that drives has its manoeuvre behind it.
         settled: When the last light changes [s].
         wanted: What the ego drives at, if nothing holds it back [m/s].
-        moved: Whether the ego has driven yet.
         since: The step since which nothing happens; -1 while something does.
         even: Of each body, its speed [m/s], heading [rad] and distance from the ego [m] at that step.
     """

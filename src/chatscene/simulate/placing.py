@@ -140,9 +140,6 @@ class _Like:
     """An object of the scenes, by one of them: all of its attributes, and which of them depend on parameters.
 
     All scenes share what does not differ, so nothing may be set on that.
-
-    Attributes:
-        differs: The names of those that do.
     """
 
     def __init__(self, node: Any, one: Any) -> None:

@@ -28,7 +28,6 @@ class Strike:
         by_ego: Whether the ego struck; else the other did.
         static: Whether the other is a thing, or had not moved.
         foremost: Whether the ego, and whether the other, touches with the end that leads as it moves.
-        moving: Whether both move.
     """
 
     by_ego: bool

@@ -33,7 +33,6 @@ class Words:
     """A text, and the facts in it.
 
     Attributes:
-        text: The text.
         facts: Of each fact that it tells, the path, and where its words begin and end.
     """
 
@@ -192,8 +191,6 @@ class Named:
     """A situation whose road users have their names and their order.
 
     Attributes:
-        situation: What is told.
-        voice: Who tells it.
         order: The others in the order in which they are told: whom somebody speaks of stands before.
         apart: Whether all are put in their places before anybody does anything, since they speak of each other.
         names: What each is called, once it was named.

@@ -72,11 +72,7 @@ class Me:
     """What a voice calls the ego.
 
     Attributes:
-        does: As who does something.
-        object: As whom something is done to.
-        own: Before what is its own.
         its: What is its own, of several of a kind.
-        itself: As whom it does something to.
         several: Whether its verbs are those of several.
         has: How it is told what the ego is; ``{kind}`` is that, with its article, ``{goes}`` the verb of who has it.
     """
@@ -226,9 +222,6 @@ class Noun:
     """What a kind is called.
 
     Attributes:
-        one: One of them, with its article.
-        many: More than one.
-        goes: The verb for its way of moving.
         somebody: Whether it is a person, whom nobody calls *it*.
         vehicle: Of such a person, what is driven or ridden, with its article.
     """
@@ -390,12 +383,8 @@ class Doing:
 
     Attributes:
         does: The act itself, also where another deed waits for it.
-        to: Its side.
         whom: Whom it is done to, where that stands behind the manner.
         speed: Its speed: ``{pace}`` is *at 50 km/h*, ``{speed}`` *50 km/h*.
-        acceleration: How hard.
-        distance: How far.
-        time: How long.
     """
 
     does: str

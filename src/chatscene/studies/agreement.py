@@ -35,7 +35,6 @@ class Compared:
     """One scene in two simulators.
 
     Attributes:
-        scene: Which.
         difference: What they tell differently, in words; empty where they tell the same.
         collided: Whether the ego collides in the first of them.
         apart: The largest distance [m] between where the two have an actor at the same step; 0 if one rejects it.

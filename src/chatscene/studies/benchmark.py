@@ -55,7 +55,6 @@ class Benchmarked:
     """What a benchmark came to.
 
     Attributes:
-        folder: Where it is.
         evaluated: The egos on the kept scenes, with the tables.
         refused: Scenarios that could not be searched with, and why, by text.
         counts: Scenes ran, collided, kept, fill-ins, rejected draws.

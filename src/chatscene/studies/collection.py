@@ -70,7 +70,6 @@ class Driving:
         egos: Who drives: by name, file or ``package.module:factory``.
         as_written: Whether each is driven as its file says, too.
         scenes: How many scenes of a program with parameters.
-        seed: What their values are drawn by.
         physics: How bodies answer; empty for the usual way.
         speed: What egos drive at [km/h] where the file does not say; None for what the programs have.
     """
@@ -98,14 +97,10 @@ class Compared:
     """What an evaluation of a collection came to.
 
     Attributes:
-        folder: Where it is.
-        page: Its page, egos side by side.
         tables: By name; also written to ``tables/``.
         fared: A row for each ego, as that of an evaluation.
-        failures: Why egos were given up, by ego.
         lost: Why programs were not driven at all, by their names.
         partly: Of those that were, how many drives were not made, and why.
-        seconds: Wall time of this call.
     """
 
     folder: Path

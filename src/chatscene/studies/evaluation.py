@@ -58,12 +58,7 @@ class Evaluated:
     """What an evaluation came to.
 
     Attributes:
-        folder: Where it is.
-        page: Its report, egos side by side.
         tables: By name; also written to ``tables/``.
-        failures: Why egos were given up, by ego.
-        stepped: Who stepped the drives, in a line.
-        seconds: Wall time of this call.
     """
 
     folder: Path

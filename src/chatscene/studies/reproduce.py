@@ -68,8 +68,6 @@ class Reproduced:
     """What a reproduction came to.
 
     Attributes:
-        folder: Where everything is.
-        tables: By name, with the paper's rows.
         seconds: Wall time by part, over every call that worked on the folder.
     """
 

@@ -10,10 +10,7 @@ class Conflict:
     """A conflict that a report tells, to be read as a text of its own.
 
     Attributes:
-        text: The passages that tell it.
-        report: The name of the report.
         number: Its place in the report, from 1.
-        of: How many the report tells.
         left_out: The passages of the report that are in no conflict, in order.
     """
 

@@ -14,11 +14,9 @@ class Entry:
     """A situation of a catalogue: it has either a sentence or a program, or a reason why it has none.
 
     Attributes:
-        name: As the catalogue calls it.
         sentence: What happens, in plain words; empty where it is out of reach. Of a program what is said of it.
         reason: Why no sentence about an ego and other road users can say it; empty where one does.
         program: The file of a program that was imported; empty of what is said in a sentence.
-        map_name: The map of that program.
     """
 
     name: str
@@ -33,7 +31,6 @@ class Catalogue:
     """A list of situations, in its own order.
 
     Attributes:
-        title: For a person.
         entries: The situations; no two have the same name.
     """
 
@@ -58,7 +55,6 @@ class Fared:
     Attributes:
         scenes: How many it drove, drives that failed among them.
         shown: In how many of them all that was read was seen, every act in order, before it met anything.
-        collisions: In how many it collided.
         avoidable: How many of these collisions a careful driver would have avoided.
     """
 
@@ -130,9 +126,6 @@ class Tally:
     """How many entries of a catalogue came how far.
 
     Attributes:
-        entries: All.
-        in_reach: Those with a sentence.
-        served: Of these, those with a program.
         shown: Of these, those of which a share of `SHOWN` of the drives show all that was read; None if nothing was
             driven.
     """

@@ -13,12 +13,7 @@ from chatscene.terms.scenario import BaseScenario, Slots
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Description:
-    """A scenario that was made up from a compatible triple of snippets.
-
-    Attributes:
-        snippet_ids: Behavior, geometry, spawn.
-        slots: Everything the triple does.
-    """
+    """A scenario that was made up from a compatible triple of snippets."""
 
     text: str
     base: BaseScenario

@@ -54,7 +54,6 @@ class Track:
 
     Attributes:
         actor: Name unique in the episode: ``ego``, ``adversary``, ``leader``, ``blocker-1``, …
-        role: The part it plays.
         kind: Class name in the world model, e.g. ``Car``, ``Pedestrian``, ``BusStop``.
         length: Size along its heading [m].
         width: Size across [m].
@@ -98,8 +97,6 @@ class Event:
     """One event of the ego.
 
     Attributes:
-        kind: What happened.
-        step: At which step it began.
         other: With whom or what: an actor, a signal or a lane marking; empty where nothing.
         side: For a collision, where on the ego: ``front``, ``rear``, ``left`` or ``right``; else empty.
         impact_speed: For a collision, the speed of approach [m/s] as the step began in which they met; else 0.
@@ -151,7 +148,6 @@ class Reached:
     """How far somebody is in a plan.
 
     Attributes:
-        behavior: What the program calls the plan.
         phase: The number of the phase, from 0; as many as there are where all are done.
     """
 
@@ -164,13 +160,9 @@ class Episode:
     """One drive of one ego through one scene.
 
     Attributes:
-        scene_id: Which scene.
-        ego: Name of the policy that drove.
         dt: Step [s].
         tracks: The ego's first, then the adversaries', then the rest.
-        events: In order of step.
         signals: Traffic signals at the junction on the route, if any.
-        ending: Why it ended.
         route_completion: Share of the route driven, in [0, 1].
         distance_to_route: (T,) [m], lateral, unsigned.
         off_road: (T,) bool: the ego's centre was off every driving lane.

@@ -20,7 +20,6 @@ class Density:
 
     Attributes:
         parameter: Its name, such as ``OPT_ADV_SPEED``.
-        shape: Of the density.
         middle: The mean of a normal one, the median of a lognormal one, in the parameter's unit; 0 of a uniform one.
         spread: The standard deviation of a normal one, in the parameter's unit, and that of the logarithm of a
             lognormal one; 0 of a uniform one.

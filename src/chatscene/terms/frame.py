@@ -16,13 +16,7 @@ from chatscene.terms.surroundings import Surroundings
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Clauses:
-    """A text, sorted by whom it speaks of.
-
-    Attributes:
-        whole: All of it.
-        ego: What is said of the ego.
-        adversary: What is said of the adversary.
-    """
+    """A text, sorted by whom it speaks of."""
 
     whole: str = ""
     ego: str = ""
@@ -44,7 +38,6 @@ class Note:
     """Something that whoever reads or chooses has to tell.
 
     Attributes:
-        about: What kind of thing.
         said: What stands in the places of its words.
     """
 
@@ -61,9 +54,6 @@ class Word:
     """A word of a text, with what became of it; one of which neither a fact nor a reason is known was not read.
 
     Attributes:
-        text: As it was written.
-        start: Where it begins.
-        end: Where it ends.
         fact: The fact that it gave: a slot, ``light``, ``weather`` or ``surface``, a measure, ``the ego``, ``contact``.
         besides: Why it is without effect, if that is known.
     """
@@ -92,16 +82,11 @@ class Frame:
     Attributes:
         text: The text as it was written, printable and with single spaces.
         clauses: The text, sorted by whom it speaks of.
-        outright: The facts.
-        quantities: The numbers that can be set.
         ego_speed: How fast the ego drives, which no snippet says and a situation does.
         unused: What is in no slot and no quantity.
-        notes: What was unsure, and who read it.
         reader: The language model that read it; empty for our own reader.
         sure: The probability that every fact is right.
         surroundings: Light, weather and the state of the road.
-        words: What became of each word.
-        readings: What the text may say beside this.
     """
 
     text: str = ""

@@ -14,8 +14,6 @@ class Outcome:
     """One scene and how it went.
 
     Attributes:
-        values: Of its parameters, in their units.
-        collided: Whether the ego did.
         distance: Least gap between the ego and an adversary [m], 0 in a contact; None where there was none.
         impact_speed: Speed of approach at the collision [m/s], 0 without one.
         completion: Share of the route that the ego drove, in [0, 1].

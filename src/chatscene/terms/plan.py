@@ -52,7 +52,6 @@ class Name:
     """What a partner, the world or a local value of the plan calls so.
 
     Attributes:
-        id: The name.
         kind: What it must stand for where it is used.
     """
 
@@ -103,7 +102,6 @@ class Comparison:
     """A chain of comparisons, all of which must hold, as in ``0 < x < 5``.
 
     Attributes:
-        first: What stands at the left.
         links: Each relation with what stands to the right of it; at least one.
     """
 
@@ -134,8 +132,6 @@ class AnyOf:
 
     Attributes:
         actor: What the condition calls the actor that is looked at.
-        actors: Who is looked at.
-        condition: What must hold.
     """
 
     actor: str
@@ -148,10 +144,8 @@ class Function:
     """Something that can be asked of numbers, paths and actors.
 
     Attributes:
-        name: What it is called.
         form: How Scenic writes it, with ``{}`` for each argument.
         takes: The kinds of its arguments; of one that takes `more`, of the first two.
-        gives: The kind of its value.
         unit: Of the value: ``m``, ``m/s``, ``rad``, or empty for that of its arguments.
         live: Whether the value changes while the scene runs.
         more: Whether it takes further arguments of its last kind.
@@ -168,12 +162,7 @@ class Function:
 
 @dataclass(frozen=True, slots=True)
 class Call:
-    """The value of a function of `FUNCTIONS`.
-
-    Attributes:
-        function: Its name.
-        arguments: In the order of what it takes.
-    """
+    """The value of a function of `FUNCTIONS`."""
 
     function: str
     arguments: tuple[Expression, ...]
@@ -241,8 +230,6 @@ class Argument:
     """What a primitive is told.
 
     Attributes:
-        name: In its signature.
-        kind: A path, an actor or a number.
         unit: Of a number: ``m``, ``m/s``, ``s``, ``rad`` or ``1``; of others empty.
         default: What holds if nothing is told; None if something must be.
     """
@@ -258,9 +245,7 @@ class Primitive:
     """One thing an actor can do, as `world/behaviors.scenic` defines it.
 
     Attributes:
-        name: As in Scenic.
         takes: Its arguments, those without a default first.
-        ends: Whether it ends by itself.
     """
 
     name: str
@@ -348,8 +333,6 @@ class Range:
 
     Attributes:
         name: With its prefix, e.g. ``OPT_ADV_SPEED``.
-        low: Smallest value.
-        high: Largest value.
     """
 
     name: str
@@ -363,7 +346,6 @@ class Plan:
 
     Attributes:
         phases: At least one. When the last has ended, the actor is left to itself.
-        parameters: What can be tuned.
         constants: What the plan tells its partners, or itself, once for all scenes.
         loop: Index of the phase to go back to after the last; None to stop there.
     """

@@ -18,7 +18,6 @@ class SourcePlace:
     Attributes:
         line: From 1.
         column: From 1; 0 for the line as a whole.
-        width: How many characters.
     """
 
     line: int

@@ -16,13 +16,7 @@ class Drive:
     """One ego's drive through one kept scene.
 
     Attributes:
-        generator: Who made the scene.
-        base_scenario: Of the scene.
-        scenario_id: Of the scene.
         route: Index of the route on the map, for the scenario's geometry.
-        scene_id: The scene.
-        ego: Who drove.
-        measurements: The raw numbers of the drive.
         fill_in: The scene did not collide with the surrogate ego; it was kept because too few did.
         avoidable: Whether a careful driver would have avoided the collision; None without one.
         fault: Whose own motion closed the gap at the collision; None without one.
@@ -47,11 +41,7 @@ class Displacement:
     """The average displacement (ADE) of the scenes of one scenario on one route under one ego.
 
     Attributes:
-        generator: Who made the scenes.
-        base_scenario: Of the scenes.
-        scenario_id: Of the scenes.
         route: Index of the route on the map, for the scenario's geometry.
-        ego: Who drove.
         value: The ADE [m].
     """
 
@@ -85,7 +75,6 @@ class ResultTable:
     """A table of numbers with intervals.
 
     Attributes:
-        title: What it shows.
         columns: Heads of the columns, without the one over the rows' labels.
         rows: The label of each row and its cells, one per column.
         notes: Which interval, which mode, how many.

@@ -28,7 +28,6 @@ class Slot:
     """What holds of a slot, whoever fills it.
 
     Attributes:
-        values: What it may hold, one at a time.
         of: The components whose snippets it tells apart; none for the adversary, on whom all three agree, and for what
             no snippet does.
         shared: Whether two parts of one program may both speak of it, and must then agree.

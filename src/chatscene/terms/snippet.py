@@ -20,7 +20,6 @@ class ParameterRange:
         low: Smallest value, in `unit`.
         high: Largest value, in `unit`; not below `low`.
         unit: ``m``, ``m/s``, ``s``, ``rad`` or ``1``.
-        meaning: One sentence for the user.
     """
 
     name: str
@@ -40,7 +39,6 @@ class Snippet:
 
     Attributes:
         id: ``component/name``; it stands in a file of ``library/<component>/``.
-        component: Which of the three parts it is.
         description: One sentence, the canonical text that is embedded.
         rephrasings: Other ways to say it, embedded beside it.
         slots: What the code does, as typed facts.
@@ -48,8 +46,6 @@ class Snippet:
             empty for a geometry.
         requires: Names it reads that neither it nor the world model defines, sorted.
         provides: Names it defines for its partners, sorted.
-        parameters: What can be tuned in it.
-        origin: Where the idea comes from.
         source: The Scenic code, without the header and our marks.
         file: Where it stands in its library, such as ``spawn/kerb-left.scenic``; empty if nowhere.
         lines: In which line of that file each line of the code stands, from 1; empty if nowhere.
@@ -75,7 +71,6 @@ class Match:
     """A snippet found for a sub-description, and how near it is.
 
     Attributes:
-        snippet: What was found.
         similarity: Words that the nearest of its texts shares with the sub-description, weighed by how rare they are,
             in [0, 1].
         agreement: Share of the sentence's slots for this component that the snippet fulfils, in [0, 1];
@@ -119,9 +114,6 @@ class Retrieval:
     """The compatible triple that was chosen, and the evidence.
 
     Attributes:
-        behavior: The chosen behavior.
-        geometry: The chosen geometry.
-        spawn: The chosen spawn position.
         adversary: The kind of adversary all three agree on.
         confidence: In [0, 1]; below the settings' threshold the answer is a refusal.
         candidates: The best few per component, best first.

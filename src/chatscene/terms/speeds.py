@@ -13,7 +13,6 @@ class Speeds:
     but the ego's own are None where it meets nobody; all from `ego_speed_at_impact` on are None without a collision.
 
     Attributes:
-        ego_kind: The class of the ego.
         other_kind: The class of whom it meets; None if it meets nobody.
         encounter_time: When the encounter begins: the last moment before either of them brakes for it [s].
         ego_speed_before: The ego's speed then [m/s]; of an ego that meets nobody, its highest.
@@ -30,9 +29,7 @@ class Speeds:
         other_delta_v: The other's [m/s]; None of a thing that stands.
         ego_injury_risk: Probability that who is in or on the ego is seriously injured or dies (MAIS 3+); None where no
             curve holds.
-        other_injury_risk: The same of the other.
         ego_death_risk: Probability that who is on the ego dies; None where no curve holds.
-        other_death_risk: The same of the other.
         friction_demand: The largest share of the road's friction that anybody on wheels took before a contact, along
             and across together; above 1 it is more than tyres hold. None where nobody on wheels moved.
     """

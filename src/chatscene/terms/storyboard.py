@@ -25,7 +25,6 @@ class Start:
     """Where the centre of somebody is at first.
 
     Attributes:
-        line: Along which line.
         along: How far along it [m].
         left: How far to the left of it [m].
         turn: How far it is turned to the left of the line's direction there [rad].
@@ -42,8 +41,6 @@ class Actor:
     """A road user or a thing.
 
     Attributes:
-        name: Unique.
-        kind: Its class in the world model.
         length: [m].
         width: [m].
         start: Where it is at first.
@@ -71,8 +68,6 @@ class Storyboard:
         lines: By name; the ego's route first.
         lanes: The number in OpenDRIVE of the lane that a line follows, for each line that somebody changes to.
         parameters: What varies, each within its range.
-        values: One value of each.
-        surroundings: Light, weather and road.
         unsaid: What plans say and it does not, in words.
         mirrored: Whether it lies on the mirror image of its map.
     """

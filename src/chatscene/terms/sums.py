@@ -18,7 +18,6 @@ class Sum:
     """A constant and terms.
 
     Attributes:
-        constant: What stands by itself.
         terms: Multiples, each a factor and what it multiplies.
     """
 

@@ -33,7 +33,6 @@ class Condition:
     """What holds of a light, a weather or a state of the road.
 
     Attributes:
-        said: What it is called.
         words: Regular expression of the words that name it.
         sight: How far others are seen [m].
         unlit: How far those are seen who carry no lamps [m].
@@ -48,11 +47,7 @@ class Condition:
 
 
 class _Row(StrEnum):
-    """A member with its row.
-
-    Attributes:
-        row: What holds of it.
-    """
+    """A member with its row."""
 
     _value_: str
     row: Condition
@@ -156,13 +151,7 @@ FOLLOWS: Mapping[Weather, Surface] = {Weather.RAIN: Surface.WET, Weather.SNOW: S
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Surroundings:
-    """What surrounds a scene, all of it and at all times the same.
-
-    Attributes:
-        light: How light it is.
-        weather: What falls or hangs in the air.
-        surface: The state of the road.
-    """
+    """What surrounds a scene, all of it and at all times the same."""
 
     light: Light = Light.DAY
     weather: Weather = Weather.CLEAR

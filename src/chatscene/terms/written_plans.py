@@ -20,7 +20,6 @@ class WrittenPlan:
     """A plan where it is written.
 
     Attributes:
-        plan: What is done.
         lines: The line of the text on which each phase begins, from 1.
     """
 

@@ -59,9 +59,7 @@ class Asked:
     Attributes:
         scenes: How many of the sentence; of a run folder, how many at most.
         scene_id: The only one of the run folder; empty for all that it keeps.
-        seed: What their values derive from.
         map_name: The map; empty for the one that has what the sentence names.
-        settings: All other settings.
     """
 
     of: str | Path
@@ -77,7 +75,6 @@ class Marked:
     """What a test is marked with.
 
     Attributes:
-        asked: Its scenes.
         ego: Who is under test; None for what the fixture ``ego`` gives.
         must: One of `MUST`.
     """
@@ -109,11 +106,6 @@ class Driven:
     """An ego in a scene and in its twin.
 
     Attributes:
-        text: The sentence.
-        solvable: The scene.
-        ego: Who drove.
-        episode: Its drive.
-        twin: Its drive in the twin.
         failures: What went wrong, a sentence each; empty if nothing did.
     """
 

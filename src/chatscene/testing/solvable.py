@@ -131,10 +131,6 @@ class Solvable:
     """A scene that is a test.
 
     Attributes:
-        program: What is run.
-        scene: The concrete values.
-        twin: The same without harm.
-        survivor: Who survives the scene.
         oblivious: The drive of whoever drives as if the adversary was not there, which ends in a crash.
         spare: Least time [s] to a collision that the survivor came to; without bound if it never was about to collide.
         completion: Share of the route that the driver of the proof drives in the twin.
@@ -156,7 +152,6 @@ class Unfit:
     """A scene that is no test.
 
     Attributes:
-        scene: The scene.
         reason: Why not.
         drive: The drive of whoever does not react; None if there was none.
     """

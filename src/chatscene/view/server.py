@@ -69,11 +69,6 @@ class Server(ThreadingHTTPServer):
         reading: How sentences are read: options of `chatscene.explain`.
         search: How a run is searched: options of `chatscene.run`.
 
-    Attributes:
-        secret: What paths begin with.
-        of_reports: What paths of reports begin with.
-        conversation: What is said in it.
-
     Raises:
         SettingsError: The port is taken.
     """

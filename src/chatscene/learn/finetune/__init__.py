@@ -52,10 +52,7 @@ class Finetuned:
         folder: Where everything is; `policy.npz` is the chosen ego, which ``--ego`` takes.
         curve: One row per round: what was driven and learned and, from the first checkpoint on, the figures on the
             scenes that choose.
-        chosen: The row of the ego that was kept.
-        reason: Why that one.
         before: Figures of the start policy, by what was driven: ``train``, ``choice``, ``test``, ``ordinary``.
-        after: The same of the chosen ego.
         skipped: Why a kept scene could not be driven, by scene.
     """
 

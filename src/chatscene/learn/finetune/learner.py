@@ -38,10 +38,8 @@ class Schedule:
     """Which scene each episode drives: all in a new random order, then all again, ordinary drives spread evenly.
 
     Attributes:
-        scenes: The training scenes.
         ordinary: The ordinary courses; empty if none is driven.
         share: Share of the episodes that are ordinary drives.
-        seed: Of the orders.
     """
 
     scenes: tuple[KeptScene, ...]

@@ -52,7 +52,6 @@ class FinetuneSettings:
         critic_steps: Gradient steps of the critics on these.
         simulator: In what scenes are driven; empty for that of the runs.
         physics: How bodies answer there; empty for that of the runs.
-        seed: Everything random derives from it.
     """
 
     ego: str = "sac"

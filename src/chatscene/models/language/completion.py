@@ -22,7 +22,6 @@ class Completion:
     """What a model wrote.
 
     Attributes:
-        text: The reply as it came.
         tokens_in: Tokens of the conversation as the model counted them; None where it does not say.
         tokens_out: Tokens of the reply; None likewise.
         cut: Whether the reply ends at the limit of its length rather than by itself.

@@ -34,9 +34,7 @@ class Prompt:
     """What a model is asked.
 
     Attributes:
-        system: What the model is to do.
         examples: Questions with their replies, shown before the question.
-        text: The question itself.
         form: The JSON schema that a reply is held to, where `system` tells in words what it may say, so that it is not
             put beside them again; None for that of the answer, with every field written.
 
@@ -64,7 +62,6 @@ class Reply(Generic[Answer]):
     """A validated answer, and what it took.
 
     Attributes:
-        answer: The object.
         tokens_in: Tokens of all prompts sent for it, as the model counted them; 0 from the cache.
         tokens_out: Tokens the model wrote for it; 0 from the cache.
         seconds: Wall-clock time [s].
@@ -88,9 +85,6 @@ class Spending:
 
     Attributes:
         calls: Calls made, those that failed among them.
-        from_cache: Replies that needed no call.
-        tokens_in: Tokens of the prompts sent.
-        tokens_out: Tokens written.
         seconds: Time spent in calls [s].
         dollars: Cost [US dollars]; None where the price is not known. What a provider charges for a call that failed
             cannot be known and is not in it.
@@ -117,7 +111,6 @@ class Limits:
     """How far one question may go.
 
     Attributes:
-        reply_tokens: Longest reply.
         seconds: Longest wait for one reply [s], connecting, retries and pauses included; 120, or what
             ``CHATSCENE_LLM_SECONDS`` says.
         reasks: How often a question is asked again, with the reason, when the reply cannot be used.

@@ -39,8 +39,6 @@ class Written:
     """A sequence, and how likely it is.
 
     Attributes:
-        steps: Its tokens.
-        likely: The logarithm of its probability.
         found: The amounts of the text that it copies, by the number of the step.
         marks: Of each step but the last, the log-odds of each piece of the text that it is one of its words.
     """

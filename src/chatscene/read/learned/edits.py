@@ -51,12 +51,7 @@ Facts = Mapping[str, object]
 
 @dataclass(frozen=True, slots=True)
 class Step:
-    """So much more or less of what nothing was said about, so that there is nothing to add it to.
-
-    Attributes:
-        by: How much.
-        more: Whether it is more.
-    """
+    """So much more or less of what nothing was said about, so that there is nothing to add it to."""
 
     by: Amount
     more: bool
@@ -71,10 +66,8 @@ class Change:
     """What an edit does to a fact.
 
     Attributes:
-        path: Of the fact, by the ids at hand.
         now: What it is then, as it stands in a file; None for what is not said, and a `Step` from what was not.
         before: How likely that is without the edit, in [0, 1].
-        after: How likely it is with it.
     """
 
     path: str

@@ -56,15 +56,8 @@ class Node:
     """A field of a noun.
 
     Attributes:
-        name: Of the field.
-        place: Its path.
-        key: The noun and the field.
-        sort: What it is.
         words: What it may be, of words, names and small numbers.
-        amounts: Which amounts it may be.
-        required: Whether it must be said.
         default: What it is if it is not said.
-        nodes: The fields of the noun that it is.
     """
 
     name: str
@@ -132,12 +125,10 @@ class Grammar:
     """Which tokens there are, and which may follow which.
 
     Attributes:
-        nodes: The fields of a situation.
         tokens: All that can be written but amounts, which are copied from the text.
         follow: Of each place, the places that may come next.
         of: Of each place, the numbers of the tokens that may stand there.
         amounts: Of each place of a copied amount, what it may be.
-        number: The number of each token.
         next: The place to which a token leads, by the place before it and the number of the token.
     """
 

@@ -85,12 +85,7 @@ class Form(IntEnum):
 
 @dataclass(frozen=True, slots=True)
 class Found:
-    """An amount that a text may mean.
-
-    Attributes:
-        low: Where its words begin.
-        high: Where they end.
-    """
+    """An amount that a text may mean."""
 
     low: int
     high: int

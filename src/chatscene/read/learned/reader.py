@@ -120,7 +120,6 @@ class Way:
     Attributes:
         situation: The situation, whose others are called A, B, C….
         probability: That of all sequences that come to it, in [0, 1].
-        written: The likeliest of them.
     """
 
     situation: Situation

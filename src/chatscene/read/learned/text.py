@@ -17,7 +17,6 @@ class Read:
     """A text, ready for the encoder.
 
     Attributes:
-        text: The text.
         pieces: The numbers of its pieces, with the marks of begin and end.
         where: Of each piece between the marks, where its stretch of the text begins and ends.
         amounts: The amounts that its words may mean.

@@ -37,12 +37,10 @@ class Weights:
     Attributes:
         changes: What to add to the bytes of the encoder's file, by where they stand.
         text: The graph of what the decoder takes from a text.
-        following: The graph of what comes next.
         tokens: Those that it was trained for, in their order.
         places: The places that it was trained for, in their order.
         trust: What the log-odds of a reading are multiplied with, so that it is as often right as it says, and what is
             added then.
-        trust_in_parts: The same for a part of a reading.
     """
 
     changes: Mapping[int, bytes]

@@ -53,7 +53,6 @@ class ForeignProgram:
     """A program that was not made of our snippets.
 
     Attributes:
-        path: Where it was read.
         program: It, with its parameters; it has no snippets, and nothing was said that it could be held against.
         renamed: What its adversary's behavior was called before it was renamed to `ADVERSARY_BEHAVIOR`, or empty.
         map_path: The map that it asks for, absolute; None if it names none.

@@ -96,9 +96,6 @@ class _Listed:
     """What is listed of a sentence of the benchmark, so that it is the same for every reader.
 
     Attributes:
-        base: Its base scenario.
-        slots: What it says.
-        numbers: The numbers that it says.
         ego: What it says of the ego, in its own words.
         adversary: What it says of the adversary, in its own words.
         told: What its adversary does, in the words of the library; empty where its own words find it.

@@ -88,11 +88,7 @@ class Connection:
     """A server and its world.
 
     Attributes:
-        place: Host and port, for messages.
-        version: Of the server.
         stands_in: Whether it is `chatscene serve-carla` and not CARLA.
-        lost: Whether it ceased to answer.
-        client: The wheel's.
         ground: The wheel's map of the world that is loaded.
 
     Raises:

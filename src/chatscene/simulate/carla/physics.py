@@ -45,10 +45,6 @@ class _Actor:
     """A body and the actor that it is in CARLA.
 
     Attributes:
-        handle: The wheel's.
-        body: Ours.
-        measured: Of its blueprint.
-        kind: Of ours.
         steering: What a full turn of our wheel is of its own.
         vx, vy: Velocity that a walker was last asked for [m/s].
         new: Whether nothing was asked of it yet.

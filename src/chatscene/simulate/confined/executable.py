@@ -46,7 +46,6 @@ class Ended:
 
     Attributes:
         fault: Why it did not end as it should, in words; empty if it did.
-        output: What it wrote.
         said: The lines that it said besides, on standard error.
     """
 

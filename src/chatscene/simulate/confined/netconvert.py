@@ -54,7 +54,6 @@ class Conversion:
 
     Attributes:
         xodr: The file; of one extract always the same bytes.
-        warnings: What netconvert warned of.
     """
 
     xodr: bytes

@@ -294,7 +294,6 @@ class Confined:
     """One confined process, and the program in it; made by `Nursery.confine`.
 
     Attributes:
-        pid: Of the process.
         layers: The layers of the second wall that are in force for it.
     """
 

@@ -35,10 +35,8 @@ class Refusal:
 
     Attributes:
         line: Where, from 1; 0 for the program as a whole.
-        what: What was found.
         why: Why it is not allowed.
         column: Where in the line, from 1; 0 for the line as a whole.
-        width: How many characters it has.
         faulty: Whether it is wrong whoever runs it; else only the sandbox forbids it.
     """
 

@@ -43,10 +43,7 @@ class Change:
     Attributes:
         line: Of the text as it was, from 1.
         column: From 0.
-        end_line: Where what is replaced ends.
         end_column: From 0.
-        text: What stands there instead.
-        why: What was changed, in words.
     """
 
     line: int
@@ -62,8 +59,6 @@ class Rewritten:
     """A program as Scenic 3 reads it.
 
     Attributes:
-        before: As it was written.
-        source: As it is run.
         changes: In order of lines; none where the two are the same.
         meanings: Lines about names that nothing defined, and what they were taken to be.
     """

@@ -75,10 +75,8 @@ class Undefined:
     """A name that a program reads and nothing defines.
 
     Attributes:
-        name: It.
         line: Where it is read first, from 1.
         means: What it must mean, as Scenic and in words; None where that is not sure.
-        why: Why it must.
         candidates: What it could mean, where that is not sure.
         within: Before which statements it can be defined: the first of each definition that reads it, or one at the top
             level.
@@ -256,9 +254,7 @@ class _Cast:
     """Who is placed in a program, who has which behavior, and the ways that it names.
 
     Attributes:
-        parameters: Of the behaviors.
         users: The names of those who are placed, in order.
-        ways: The names of its lists of lanes.
         named: The names that it gives at its top level.
     """
 

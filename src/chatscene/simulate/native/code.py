@@ -107,10 +107,8 @@ class Surrounding:
     """What names in a plan stand for, in one scene.
 
     Attributes:
-        names: Of the program.
         parameters: Values of the program's parameters, by name.
         objects: Everything in the scene, the ego first; where each stands is its number.
-        self_index: Whose plan it is.
         drawn: Which of the names are something else in another scene; of the parameters, each is.
         moved: Which of the objects are elsewhere in another scene, by number; the ego never is.
     """
@@ -128,9 +126,7 @@ class Compiler:
     """Makes code for a scene.
 
     Attributes:
-        instructions: All code so far.
         lines: All lines that it speaks of, by number; the ego's route is the first.
-        around: What names stand for.
         places: Where the values are that the plan computes when a phase begins, by name.
         bound: What else names of the plan itself stand for: values that stay, actors of a condition over several.
         tables: All timetables that it speaks of, by number.

@@ -53,9 +53,7 @@ class Nominal:
     """The undisturbed adversary of a base scenario.
 
     Attributes:
-        adversary: Its kind.
         geometry: Snippet of the ego's route, one that most of ChatScene's scenarios of the base scenario use too.
-        spawn: Snippet of its start.
         path: Name of the way it drives; empty if it goes straight ahead from where it stands at the roadside.
         waits: What it does until it acts, as Scenic.
         left: How far the ego still has to go [m] to where they meet, as Scenic; it acts when that is below a trigger.
@@ -148,8 +146,6 @@ class Baseline(Exploring):
     """What the baselines share; see `chatscene.search.generator.Generator` for the contract.
 
     Attributes:
-        name: As on the command line.
-        title: As in the paper's tables.
         sampler: Who searches; empty for whom the settings name, as in ChatScene's own search.
         objective: What it searches for; empty for what the settings name.
         reference: As the reference describes it: what its search ends with is kept, whatever comes of it.
