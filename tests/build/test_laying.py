@@ -217,3 +217,9 @@ def test_an_ego_merges_out_of_a_lane_that_ends_where_no_ramp_was_said() -> None:
     assert built.lacking == ()
     ramp = made("behind-beside", "accelerate", side="left", ego={"route": "merge"}, road={"kind": "motorway"})
     assert "site='on-ramp'" in ramp.program.source
+
+
+def test_who_turns_round_from_the_edge_of_a_divided_road_does_so_over_the_median_which_is_told() -> None:
+    built = made("kerb", "u-turn", side="right", road={"kind": "motorway"}, ego={"speed": "70 mph"})
+    assert built.map.startswith("road:2+2,along=motorway,median=4")
+    assert "A turns through a gap in the median, which is not drawn" in built.assumed

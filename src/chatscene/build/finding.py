@@ -454,6 +454,9 @@ def _take(ledger: Ledger, found: Found) -> None:
         ledger.assume("the rail crossing has no lights, since no map has any there")
         ledger.take("road.control")
     _lack_own_lane(ledger, found)
+    for one in situation.others if found.laid is not None and found.laid.median else ():
+        if any(deed.act is Act.U_TURN for deed in one.does):
+            ledger.assume(f"{one.id} turns through a gap in the median, which is not drawn")
     _lack_signs_and_ways(ledger, found)
     for name, side in found.sides.items():
         if comes_from(situation[name]) is side:

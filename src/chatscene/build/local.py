@@ -10,9 +10,10 @@ import numpy as np
 import shapely
 
 from chatscene.build.asked import Meets, stops_on_its_way
-from chatscene.build.place import LANE, at_roundabout, only_side_signs, ring_arms
+from chatscene.build.place import LANE, at_roundabout, comes_across, only_side_signs, ring_arms
 from chatscene.build.turning_round import WIDER
 from chatscene.errors import MapError, NotBuilt, NothingBuilds
+from chatscene.maps.neighbours import oncoming_line
 from chatscene.situations.phrases import one_of
 from chatscene.terms.actors import Limits
 from chatscene.terms.situation import Deed
@@ -139,9 +140,11 @@ def way_to_turn_round(actor: Actor, k: int) -> Round:
         NotBuilt: There is no such lane beside the ego's, or the road is too narrow for it.
     """
     at, limits, route = f"{actor.path}.does.{k}.act: {actor.deeds[k].act}", actor.limits, actor.found.route
-    if lanes_beside(route).get("left") is not True:
+    beyond = oncoming_line(route.network, route.route) if comes_across(actor.found) else None
+    if lanes_beside(route).get("left") is not True and beyond is None:
         raise NotBuilt(f"no map has such a place: {at} needs an oncoming lane to the left of ours")
-    aside = LANE + (KERB_ASIDE if actor.stand.meets is Meets.KERB else 0.0)
+    over_there = LANE if beyond is None else abs(beyond.project(*route.line.point_at(route.eventAt))[1])
+    aside = over_there + (KERB_ASIDE if actor.stand.meets is Meets.KERB else 0.0)
     circle = max(aside, 2.0 * WIDER * limits.wheelbase / math.tan(limits.wheel_angle))
     own = line_of(ownLane(route))  # the ego's way may swing out there
     at_event = own.project(*route.line.point_at(route.eventAt))[0]
@@ -150,7 +153,8 @@ def way_to_turn_round(actor: Actor, k: int) -> Round:
     inside = shapely.intersects_xy(
         route.network.drivableRegion.polygons, x + steps * math.cos(left), y + steps * math.sin(left)
     )
-    room = float(steps[int(np.argmin(inside))]) + aside - LANE
+    ends = int(np.argmin(inside)) if beyond is None else int(np.flatnonzero(inside)[-1])
+    room = float(steps[ends]) + aside - over_there
     if circle + limits.width / 2 <= room:
         return Round(radius=circle / 2)
     most = room - NEAR_EDGE
