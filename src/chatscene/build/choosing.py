@@ -23,6 +23,7 @@ from chatscene.build.deeds import (
     OFF,
     OFF_BY_RAMP,
     SHIES,
+    SLIDES,
     STEPS_BACK,
     Steps,
     gets_by,
@@ -50,6 +51,7 @@ from chatscene.build.sideways import takes_long
 from chatscene.build.towards import done_to
 from chatscene.build.turning_round import TURNS_AT
 from chatscene.errors import NothingBuilds
+from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.situation import EGO, Deed
 from chatscene.terms.vocabulary import ASIDE, COMES_IN, GOES_ON, Act, Heads, Role, Where, acts_of
 
@@ -77,6 +79,8 @@ def steps_of(actor: Actor, k: int) -> Steps:
         raise NothingBuilds(f"cannot be built yet: {deed.act}, {where}; who walks does not go backwards; say turn-back")
     if deed.act is Act.REVERSE and crossed:
         table[Act.REVERSE] = STEPS_BACK if actor.walks else BACK_OUT
+    if deed.act is Act.FALL and actor.one.kind.moves is Moves.RIDES:
+        table[Act.FALL] = SLIDES
     if deed.act not in table or (deed.act in _ASIDE and where in ROUNDABOUT_PLACES):  # nobody sees it on a bend
         along = (
             "; a road user that goes along the road starts ahead, beside or behind"

@@ -102,6 +102,18 @@ _STANDS = Steps(
 _INTO_OWN = Steps(
     does=(f"DrivePath({OWN}, $SPEED) until abs(offsetFrom({OWN}, self)) < 0.8",), way=OWN, binds={"speed": "SPEED"}
 )
+SLIDES = Steps(
+    does=(f"Slide(0.3 * $SPIN, $SLIDE) until {STILL}", "Halt() for $STOP_TIME seconds"),
+    last=(f"Slide(0.3 * $SPIN, $SLIDE) until {STILL}", "Halt()"),
+    still=True,
+    going=True,
+    pace=Pace.STANDS,
+)
+"""How somebody falls who rides: what has fallen slides on, and turns a little."""
+_SPINS = (
+    "SwerveOnPath({p}, $SPEED, {aside} * $SWERVE) for 0.8 seconds",
+    f"Slide({{aside}} * $SPIN, $SLIDE) until {STILL}",
+)
 ALONG: dict[Act, Steps] = {
     **_each((Act.GO_ALONG, Act.GO_STRAIGHT, Act.FOLLOW, Act.EXIT, *_TURNS), _GOES),
     Act.STAND: _STANDS,
@@ -122,6 +134,13 @@ ALONG: dict[Act, Steps] = {
             going=True,
             pace=Pace.STANDS,
         ),
+    ),
+    Act.LOSE_CONTROL: Steps(
+        does=(*_SPINS, "Halt() for $STOP_TIME seconds"),
+        last=(*_SPINS, "Halt()"),
+        still=True,
+        going=True,
+        pace=Pace.STANDS,
     ),
     Act.SLOW_DOWN: Steps(
         does=(_EASES, f"DrivePath({{p}}, $SLOW) for {SLOW_FOR:g} seconds"),

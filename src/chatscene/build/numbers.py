@@ -30,6 +30,8 @@ RANGES: dict[str, tuple[float, float, str, str]] = {
     "BACK_TIME": (1.5, 3, "s", "for how long it backs up"),
     "AMPLITUDE": (0.7, 1.2, "m", "how far it swings to either side"),
     "SWERVE": (1.6, 2.6, "m", "how far it swerves"),
+    "SPIN": (0.1, 0.3, "1/m", "how far it turns about itself for each metre that it slides"),
+    "SLIDE": (0.6, 0.8, "1", "how much it loses of its speed as it slides, of what its brakes give"),
     "SWERVE_TIME": (1, 1.6, "s", "for how long it swerves"),
     "DRIFT": (1.4, 2, "m", "how far it drifts"),
     "NEAR_TIME": (2, 3, "s", "for how long it goes on before the ego"),

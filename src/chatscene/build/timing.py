@@ -24,6 +24,7 @@ _NUMBER = r"[^,()]+"
 _TOWARD = re.compile(rf"(?:MoveAhead\(|(?:DrivePath|FollowTraffic|SwerveOnPath|WeaveOnPath)\([^,]+, )({_NUMBER})")
 _THROTTLE = re.compile(rf"ThrottleOnPath\([^,]+, ({_NUMBER}), 0, ({_NUMBER})\)")
 _BRAKE = re.compile(rf"BrakeOnPath\([^,]+, ({_NUMBER})\)")
+_SLIDE = re.compile(rf"Slide\([^,]+, ({_NUMBER})\)")
 _TURN = re.compile(rf"TurnOff\((-?[\d.]+), ({_NUMBER}), ([\d.]+)\)")
 _BACKWARDS = re.compile(rf"ReverseStraight\(({_NUMBER})\)")
 _FOR = re.compile(r" for (\S+) seconds")
@@ -205,6 +206,8 @@ def _pressed(text: str, numbers: Numbers, here: Course) -> tuple[float, float | 
         return 0.0, None, _value(found[1], numbers)
     if found := _TOWARD.match(text) or _BACKWARDS.match(text):
         return _value(found[1], numbers), None, 1.0
+    if found := _SLIDE.match(text):
+        return 0.0, None, _value(found[1], numbers)
     return 0.0 if text.startswith(("Halt", "Park")) else here.speed, None, 1.0
 
 

@@ -31,7 +31,9 @@ from chatscene.terms.plan import (
 from chatscene.terms.plan_text import print_expression
 from chatscene.terms.snippet import ParameterRange
 
-STANDING = frozenset({"Halt", "Park", "BrakeOnPath", "WaitFor"})  # who does one of these stands, sooner or later
+STANDING = frozenset(
+    {"Halt", "Park", "BrakeOnPath", "WaitFor", "Slide"}
+)  # who does one of these stands, sooner or later
 FOLLOWING = frozenset({"PaceOnPath", "KeepStation", "FollowTraffic"})  # who does one of these goes as fast as others
 TURNED_ROUND = 2.4  # [rad]
 CRAWLING = 0.6  # [m/s]; whoever is slower may be said to stand
@@ -39,7 +41,14 @@ _ON_RED = Comparison(Name("crossSignal", Kind.TEXT), (("==", Text("red")),))
 _WAYS = {"left-turn": Action.TURN_LEFT, "right-turn": Action.TURN_RIGHT}
 
 Dimension = tuple[int, int]  # exponents of length and time
-_DIMENSIONS: dict[str, Dimension] = {"m": (1, 0), "m/s": (1, -1), "s": (0, 1), "rad": (0, 0), "1": (0, 0)}
+_DIMENSIONS: dict[str, Dimension] = {
+    "m": (1, 0),
+    "m/s": (1, -1),
+    "s": (0, 1),
+    "rad": (0, 0),
+    "1/m": (-1, 0),
+    "1": (0, 0),
+}
 
 
 def check_plan(plan: Plan, parameters: Iterable[ParameterRange]) -> Iterator[str]:

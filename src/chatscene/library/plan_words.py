@@ -38,6 +38,7 @@ _DOES = {
     "ReverseStraight": "backs straight at {speed}",
     "ReverseTurning": "backs at {speed} with the wheel turned by {steer}",
     "TurnOff": "turns to the left by {angle} at {speed}[ with a radius of {radius}]",
+    "Slide": "slides to a stand, turning about itself by {spin}, braked by {brake}",
     "Park": "stands",
     "MoveAhead": "goes straight ahead at {speed}[, turned to the left by {turn}]",
     "Halt": "stops and stands",

@@ -33,6 +33,7 @@ _TO_DO = {
     "ReverseStraight": "back straight[ at {speed}]",
     "ReverseTurning": "back with the wheel turned[ at {speed}]",
     "TurnOff": "turn[ at {speed}]",
+    "Slide": "slide to a stand",
     "Park": "stand",
     "MoveAhead": "go straight ahead[ at {speed}]",
     "Halt": "stop and stand",

@@ -15,6 +15,8 @@ from chatscene.terms.actors import BY_CLASS, LOOSE
 from chatscene.terms.episode import Episode, Event, Track
 from chatscene.terms.speeds import Speeds
 
+_MOVED, _SLIDES = 0.1, 1.0  # [m] in two steps; [rad] from where it heads that no wheel leads: who goes so slides
+
 
 def speeds(episode: Episode, friction_demand: float | None = None) -> Speeds:
     """How fast the ego and whom it meets were, and how hard they met, beside the friction that tyres took."""
@@ -88,10 +90,19 @@ def _closing_speed(ego: Track, other: Track, crash: Event) -> float:
     """How much of the impact speed is along the line of contact [m/s]."""
     step, before = crash.step, max(crash.step - 1, 0)
     ways = [
-        np.array((math.cos(track.heading[before]), math.sin(track.heading[before]))) * float(track.speed[before])
-        for track in (ego, other)
+        np.array((math.cos(way), math.sin(way))) * float(track.speed[before])
+        for track, way in ((track, _goes(track, before)) for track in (ego, other))
     ]
     return float(np.clip((ways[0] - ways[1]) @ line_of_contact(ego, other, step), 0.0, crash.impact_speed))
+
+
+def _goes(track: Track, step: int) -> float:
+    """Where somebody goes [rad]: where it heads, unless it slides aside of that."""
+    heading, last = float(track.heading[step]), len(track.x) - 1
+    dx, dy = (float(row[min(step + 1, last)] - row[max(step - 1, 0)]) for row in (track.x, track.y))
+    way = math.atan2(dy, dx) + (math.pi if track.speed[step] < 0.0 else 0.0)
+    aside = math.remainder(way - heading, math.tau)
+    return heading + aside if math.hypot(dx, dy) > _MOVED and abs(aside) > _SLIDES else heading
 
 
 def _delta_v(ego: Track, other: Track, closing: float) -> tuple[float | None, float | None]:

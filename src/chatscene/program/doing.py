@@ -51,6 +51,9 @@ FOLLOWED = 15  # [steps] that somebody must be behind another to be seen to foll
 LEVEL = 8.0  # [m] along the road between the middles at most of two who are level
 OUTSIDE = 1.4  # [m] from the ego's line: who is no farther away is not outside its lane
 
+SPUN = 0.35  # [rad] from where it goes, from which on somebody is seen to slide turned away
+SLID = 1.5  # [m/s] at which that is seen
+
 
 def _speed(s: Seen) -> Array:
     return np.abs(s.track.speed)
@@ -349,6 +352,16 @@ def _parks(s: Seen) -> Iterator[Act]:
             yield once
 
 
+def _spins(s: Seen) -> Iterator[Act]:
+    """It slides on and turns away from where it goes."""
+    dx, dy = np.gradient(s.track.x), np.gradient(s.track.y)
+    turned = np.abs(np.remainder(s.track.heading - np.arctan2(dy, dx) + np.pi, 2 * np.pi) - np.pi)
+    sliding = np.flatnonzero((turned > SPUN) & (np.abs(s.track.speed) > SLID) & (s.track.speed > 0.0))
+    if sliding.size:
+        round_ = sliding[turned[sliding] > 2.0 * SPUN]
+        yield Act(int(sliding[0]), int(round_[0]) if round_.size else None)
+
+
 def follows(s: Seen) -> Iterator[Act]:
     """It goes behind somebody for a while; under way at the end if it does so then, after a third of that."""
     lead = before(s)
@@ -365,6 +378,7 @@ ACTS: Mapping[Said, Callable[[Seen], Iterable[Act]]] = by_act(
         Tempo.STANDS: _stands_at_first,
         Tempo.WAITS: _waits,
         Tempo.HALTS: ACTIONS[Action.STOP],
+        Said.LOSE_CONTROL: _spins,
         Tempo.LIES: ACTIONS[Action.STOP],  # that it lies then, no track tells
         Tempo.BRAKES: _brakes,
         Tempo.SLOWS: _slows_down,

@@ -13,6 +13,7 @@ from typing import Any
 from chatscene.models.language.protocol import Example
 from chatscene.situations.facts import NO_FACTS
 from chatscene.situations.form import schema
+from chatscene.terms.nouns import with_article
 from chatscene.terms.reading import Verdict
 from chatscene.terms.vocabulary import Act, Where
 
@@ -31,7 +32,7 @@ Rules:
 - The ego is who is tested or tells it: I, we, our car, VUT, AV, vehicle or unit 1; else the driver whose way the text
   follows and before whom another turns up, be it claimant or defendant. If who tells it is on foot, the
   ego is the vehicle that endangers them. What the ego does is never told of another, even if its words lack.
-  ego.kind: what it is, if no car, also by what its driver tells of it (cab, rig, passengers).
+  ego.kind: what it is, if no car, also by its cab, rig or passengers.
 - others: all who matter, or are only mentioned, ids A, B, C. Several who do the same are one with a count: a
   queue that stands has count 0.
 - role: who meets the ego is an adversary; who brings it about unmet, as a lead that brakes, supporting; hidden_by names
@@ -131,9 +132,9 @@ def _words() -> Iterator[str]:
             continue
         told = [line for line in part.get("description", "").splitlines()[1:] if ": " in line]
         meant = dict(line.split(": ", 1) for line in told)
-        plain = ", ".join(word for word in part["enum"] if meant.get(word, word) == word)
-        yield f"# {name}{': ' * bool(plain)}{plain}"
-        yield from (f"{word}: {meant[word]}" for word in part["enum"] if meant.get(word, word) != word)
+        plain = [word for word in part["enum"] if meant.get(word, word) in (word, with_article(word.replace("-", " ")))]
+        yield f"# {name}{': ' * bool(plain)}{', '.join(plain)}"
+        yield from (f"{word}: {meant[word]}" for word in part["enum"] if word not in plain)
 
 
 def _bare(node: Any) -> Any:

@@ -17,7 +17,7 @@ from chatscene.terms.order import Order
 from chatscene.terms.plan import PRIMITIVES, Phase, Plan, Until
 from chatscene.terms.polyline import Polyline
 from chatscene.terms.written_plans import WrittenPlan
-from chatscene.world.bodies import Body
+from chatscene.world.bodies import Body, Vehicle
 
 UNTIL = ("arrival", "over")  # what a program can say that a drive goes on until
 LONG = 5.0  # [s] for which they only follow each other, or stand and wait for each other
@@ -148,6 +148,8 @@ class Over:
         ego = self.bodies[0]
         dx, dy = body.x - ego.x, body.y - ego.y
         vx, vy = body.speed * body.cos, body.speed * body.sin
+        if isinstance(body, Vehicle) and body.spin is not None:
+            vx, vy = body.speed * math.cos(body.course), body.speed * math.sin(body.course)
         if dx * (vx - ego.speed * ego.cos) + dy * (vy - ego.speed * ego.sin) <= 0.0:
             return False
         fast, other = abs(ego.speed), abs(body.speed)

@@ -30,7 +30,7 @@ from chatscene.terms.pace import NOMINAL, limits_in
 from chatscene.terms.pointing import fault
 from chatscene.terms.route import Route
 from chatscene.terms.scene import AS_WRITTEN, ScenicProgram
-from chatscene.world.bodies import Body, Vehicle
+from chatscene.world.bodies import Body, Vehicle, going
 
 ARRIVAL = 0.99  # share of the route that counts as complete (SafeBench, RouteCompletionTest)
 SECONDS_PER_METRE = 1.0  # SafeBench's time limit per metre of route
@@ -398,7 +398,7 @@ class SteppedSession:
             if earlier:
                 mine, theirs = between(ego, was[0], 1.0 - earlier), between(other, was[i], 1.0 - earlier)
             headed = (was[0][2], was[i][2]) if i < len(was) else (ego.heading, other.heading)
-            side, speed = contact_side(mine, theirs), approach_speed(ego, other, *headed)
+            side, speed = contact_side(mine, theirs), approach_speed(ego, other, headed[0], going(other, headed[1]))
             self._contacts.append(self._contact(self.step_number, i, side, speed, earlier))
             if touch(ego, other):
                 self._touching.add(i)

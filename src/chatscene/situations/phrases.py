@@ -436,6 +436,7 @@ _ACTS: Mapping[Act, Doing] = {
     Act.YIELD: Doing(does="[give/gives/giving] way to {whom}"),
     Act.OPEN_DOOR: Doing(does="[open/opens/opening] a door", whom=" into the way of {whom}"),
     Act.DROP_LOAD: Doing(does="[drop/drops/dropping] something onto the road"),
+    Act.LOSE_CONTROL: Doing(does="[lose/loses/losing] control and [spin/spins/spinning]"),
     Act.FALL: Doing(does="[fall/falls/falling] over"),
 }
 

@@ -271,6 +271,7 @@ PRIMITIVES = {primitive.name: primitive for primitive in (
     Primitive("ReverseStraight", (_SPEED,)),
     Primitive("ReverseTurning", (_SPEED, Argument("steer", _N, "1"))),
     Primitive("TurnOff", (Argument("angle", _N, "rad"), _SPEED, Argument("radius", _N, "m", 6)), ends=True),
+    Primitive("Slide", (Argument("spin", _N, "1/m"), Argument("brake", _N, "1"))),
     Primitive("Park", ()),
     Primitive("MoveAhead", (_SPEED, Argument("turn", _N, "rad", 0))),
     Primitive("Halt", ()),

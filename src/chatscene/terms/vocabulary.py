@@ -213,8 +213,8 @@ class UserKind(RowWord):
 
     CAR = ("car", "a passenger car, an SUV, a taxi", _is(AdversaryKind.CAR))
     VAN = ("van", "a van, a camper", _is(AdversaryKind.VAN))
-    TRUCK = ("truck", "a lorry of any size, without a trailer", _is(AdversaryKind.TRUCK))
-    SEMI_TRAILER = ("semi-trailer", "an articulated lorry, a lorry with a trailer", _is(AdversaryKind.SEMI_TRAILER))
+    TRUCK = ("truck", "a lorry without a trailer", _is(AdversaryKind.TRUCK))
+    SEMI_TRAILER = ("semi-trailer", "a truck with a trailer", _is(AdversaryKind.SEMI_TRAILER))
     BUS = ("bus", "a bus or a coach", _is(AdversaryKind.BUS))
     ARTICULATED_BUS = _as_body(AdversaryKind.ARTICULATED_BUS)
     PICKUP = _as_body(AdversaryKind.PICKUP)
@@ -223,19 +223,23 @@ class UserKind(RowWord):
         "a caravan, a car with a trailer",
         _is(AdversaryKind.CAR_AND_TRAILER),
     )
-    MINIBUS = ("minibus", "a minibus, a matatu, a jeepney", _is(AdversaryKind.MINIBUS))
-    TRACTOR = ("tractor", "a tractor of a farm", _is(AdversaryKind.TRACTOR))
-    TRACTOR_AND_TRAILER = _as_body(AdversaryKind.TRACTOR_AND_TRAILER)
-    HARVESTER = ("harvester", "a combine, another wide machine", _is(AdversaryKind.HARVESTER))
-    CART = ("cart", "a cart, a carriage that an animal draws", _is(AdversaryKind.CART))
+    MINIBUS = ("minibus", "a matatu, a jeepney", _is(AdversaryKind.MINIBUS))
+    TRACTOR = ("tractor", "a farm tractor", _is(AdversaryKind.TRACTOR))
+    TRACTOR_AND_TRAILER = (
+        "tractor-and-trailer",
+        "a tractor and trailer",
+        _is(AdversaryKind.TRACTOR_AND_TRAILER),
+    )
+    HARVESTER = ("harvester", "a harvester", _is(AdversaryKind.HARVESTER))
+    CART = ("cart", "a cart that an animal draws", _is(AdversaryKind.CART))
     TRAM = _as_body(AdversaryKind.TRAM)
     MOTORCYCLE = ("motorcycle", "a motorcycle, a moped, a motor scooter", _is(AdversaryKind.MOTORCYCLE))
     AUTO_RICKSHAW = (
         "auto-rickshaw",
-        "an auto-rickshaw, a tuk-tuk, a motor tricycle",
+        "a tuk-tuk, a motor tricycle",
         _is(AdversaryKind.AUTO_RICKSHAW),
     )
-    QUAD = _as_body(AdversaryKind.QUAD)
+    QUAD = ("quad", "a quad", _is(AdversaryKind.QUAD))
     BICYCLE = ("bicycle", "somebody on a bicycle, electric or not", _is(AdversaryKind.BICYCLE))
     CARGO_BIKE = ("cargo-bike", "a cargo bike, a cycle rickshaw", _is(AdversaryKind.CARGO_BIKE))
     E_SCOOTER = ("e-scooter", "somebody who stands on an electric scooter", _is(AdversaryKind.E_SCOOTER))
@@ -249,15 +253,15 @@ class UserKind(RowWord):
     VEHICLE = ("vehicle", "a motor vehicle, not said of which kind", KindRow(body=AdversaryKind.CAR, general=True))
     PEDESTRIAN = ("pedestrian", "a grown-up on foot", _is(AdversaryKind.PEDESTRIAN))
     CHILD = ("child", "a child on foot", _is(AdversaryKind.CHILD))
-    PRAM = ("pram", "somebody with a pram, a trolley, a handcart", _is(AdversaryKind.PRAM))
+    PRAM = ("pram", "somebody with a pram, a trolley", _is(AdversaryKind.PRAM))
     WHEELCHAIR = ("wheelchair", "somebody in a wheelchair", _is(AdversaryKind.WHEELCHAIR))
     HORSE_RIDER = ("horse-rider", "a rider on a horse", _is(AdversaryKind.HORSE_RIDER))
-    HORSE = ("horse", "a horse, a donkey", _is(AdversaryKind.HORSE))
+    HORSE = ("horse", "a horse", _is(AdversaryKind.HORSE))
     COW = ("cow", "a cow, a bull, a buffalo", _is(AdversaryKind.COW))
     SHEEP = ("sheep", "a sheep, a goat", _is(AdversaryKind.SHEEP))
     DOG = _as_body(AdversaryKind.DOG)
-    SMALL_ANIMAL = ("small-animal", "a cat, a fox, a hare, a bird", _is(AdversaryKind.SMALL_ANIMAL))
-    DEER = ("deer", "a deer or another wild animal of its size", _is(AdversaryKind.DEER))
+    SMALL_ANIMAL = ("small-animal", "a cat, a fox, a bird", _is(AdversaryKind.SMALL_ANIMAL))
+    DEER = ("deer", "a deer", _is(AdversaryKind.DEER))
     MOOSE = ("moose", "a moose, a camel", _is(AdversaryKind.MOOSE))
     BOAR = ("boar", "a wild boar, a pig", _is(AdversaryKind.BOAR))
     KANGAROO = _as_body(AdversaryKind.KANGAROO)
@@ -594,7 +598,16 @@ class Act(RowWord):
         "loses something onto the road",
         _act(frozenset((Moves.DRIVES,)), "", None, lets_go="load"),
     )
-    FALL = ("fall", "falls, on foot or on two wheels, and lies there", _act(_FEET | {Moves.RIDES}, "", Tempo.LIES))
+    LOSE_CONTROL = (
+        "lose-control",
+        "spins or skids to a stand",
+        _act(WHEELS, "", Tempo.LIES, sided=True),
+    )
+    FALL = (
+        "fall",
+        "falls, on foot or on two wheels, and lies there",
+        _act(_FEET | {Moves.RIDES}, "", Tempo.LIES),
+    )
 
 
 @cache

@@ -30,6 +30,25 @@ class DriveAction(Action):
         agent.setControls(self.throttle, self.brake, self.steer, self.reverse)
 
 
+class SlideAction(Action):
+    """Slide on where one went, and turn about oneself: the tyres have lost their grip, or a rider has fallen.
+
+    Args:
+        spin: How far one turns for each metre [rad/m], positive to the left.
+        brake: How much is lost of the speed, as a share of what the brakes give, in [0, 1].
+    """
+
+    __slots__ = ("brake", "spin")
+
+    def __init__(self, spin: float, brake: float) -> None:
+        self.spin = spin
+        self.brake = brake
+
+    def applyTo(self, agent: Any, simulation: Any) -> None:  # noqa: N802, ARG002
+        """Hand it to the agent."""
+        agent.setSlide(self.spin, self.brake)
+
+
 class WalkAction(Action):
     """Walk in a direction at a speed.
 

@@ -73,11 +73,17 @@ class Driven(Placed, Steers):
         body.steer = steer
         body.reverse = reverse
         body.target_speed = None
+        body.spin = None
 
     def setSpeed(self, speed: float, steer: float) -> None:  # noqa: N802
         """A speed [m/s] that is reached within the pedals' limits, and the wheel in [-1, 1], right positive."""
         self.body.target_speed = speed
         self.body.steer = steer
+        self.body.spin = None
+
+    def setSlide(self, spin: float, brake: float) -> None:  # noqa: N802
+        """Slide on (see `chatscene.world.actions.SlideAction`)."""
+        self.body.slide(spin, brake)
 
     def setThrottle(self, throttle: float) -> None:  # noqa: N802
         """Throttle in [0, 1]."""

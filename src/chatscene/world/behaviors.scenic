@@ -1,4 +1,4 @@
-"""Behaviors every snippet may build on. None names a simulator; all act through `DriveAction` and `WalkAction`.
+"""Behaviors every snippet may build on. None names a simulator; all act through the actions of the world model.
 
 Speeds are in m/s, distances in m, angles in rad. A `path` is a line in driving order (`egoRoute`,
 `advTrajectory`, `adjacentLane`, `oppositeLane`); beyond its end it goes straight on.
@@ -6,7 +6,7 @@ Speeds are in m/s, distances in m, angles in rad. A `path` is a line in driving 
 
 import math
 
-from chatscene.world.actions import DriveAction, WalkAction
+from chatscene.world.actions import DriveAction, SlideAction, WalkAction
 from chatscene.world.control import pedals
 from chatscene.world.places import distanceLeft, followingSpeed, headingLine, laneLine, progressOn, trackerFor
 
@@ -99,6 +99,11 @@ behavior TurnOff(angle, speed, radius=6):
     while abs(turned) < abs(angle):
         take DriveAction(*pedals(self.pose[3], speed), steer)
         turned, before = turned + math.remainder(self.pose[2] - before, 2 * math.pi), self.pose[2]
+
+behavior Slide(spin, brake):
+    """Lose grip: slide straight on, turning by `spin` for each metre (positive: to the left), to a standstill."""
+    while True:
+        take SlideAction(spin, brake)
 
 behavior Park():
     """Stand still with the brake on."""

@@ -114,9 +114,11 @@ class Vehicle(Body):
         backs: Whether it drives backwards. It is then carried as it goes: its heading is where it goes to, its speed
             positive, its nose behind, and the wheels that steer are the rear ones of its way.
         led: Where it is after the next step, and how fast, whatever it could do; None where it moves by itself.
+        spin: How far it turns about itself for each metre that it slides [rad/m]; None where its tyres hold.
+        course: The direction in which it slides [rad, 0 = +x, counter-clockwise]: that which it had.
     """
 
-    __slots__ = ("backs", "brake", "led", "reverse", "steer", "target_speed", "throttle")
+    __slots__ = ("backs", "brake", "course", "led", "reverse", "spin", "steer", "target_speed", "throttle")
 
     moves = True
 
@@ -129,6 +131,16 @@ class Vehicle(Body):
         self.backs = False
         self.target_speed: float | None = None
         self.led: Led | None = None
+        self.spin: float | None = None
+        self.course = heading
+
+    def slide(self, spin: float, brake: float) -> None:
+        """Slide on from now, or still: see `spin`; with a share of what the brakes give."""
+        if self.spin is None:
+            self.course = self.heading
+        self.spin = spin
+        self.throttle, self.brake, self.steer = 0.0, brake, 0.0
+        self.reverse, self.target_speed = False, None
 
 
 class Walker(Body):
@@ -149,6 +161,11 @@ class Walker(Body):
         self.course = heading
         self.target_speed = speed
         self.led: Led | None = None
+
+
+def going(body: Body, heading: float) -> float:
+    """Where a body goes [rad] that heads somewhere: there, unless it slides."""
+    return body.course if isinstance(body, Vehicle) and body.spin is not None else heading
 
 
 def become(body: Body, other: Body) -> None:

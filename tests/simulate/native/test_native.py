@@ -65,6 +65,7 @@ PHASES = {
     "WaitFor": "do WaitFor(ego, egoRoute, 8)",
     "ReverseStraight": "do ReverseStraight(3) until gap(self, ego) < 12\n    do Park()",
     "ReverseTurning": "do ReverseTurning(3, 0.3)",
+    "Slide": "do Slide(0.2, 0.7)",
     "TurnOff": "do TurnOff(-1.2, 4, radius=7)\n    do ReverseStraight(2)",
     "Park": "do Park() until headway(egoRoute, ego, self) < 12\n    do DrivePath(egoRoute, 10)",
     "MoveAhead": "start = 0.5 * gap(self, ego)\n    do MoveAhead(5, 0.2) until gap(self, ego) < start\n    do Halt()",

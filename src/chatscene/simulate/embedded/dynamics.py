@@ -37,6 +37,9 @@ class VehicleBody(Vehicle):
 
     def step(self, dt: float) -> None:
         """Advance by `dt` [s]."""
+        if self.spin is not None:
+            self._slide(self.spin, dt)
+            return
         limits = self.limits
         old = self.before = self.speed
         speed = self._next_speed(dt)
@@ -63,6 +66,18 @@ class VehicleBody(Vehicle):
             self.heading += turned
             self.cos = math.cos(self.heading)
             self.sin = math.sin(self.heading)
+        self.speed = speed
+
+    def _slide(self, spin: float, dt: float) -> None:
+        """Go on where it went, whichever way it is turned, and turn about itself by how far it gets."""
+        old = self.before = self.speed
+        speed = self._next_speed(dt)
+        mean = 0.5 * (old + speed)
+        self.x += mean * math.cos(self.course) * dt
+        self.y += mean * math.sin(self.course) * dt
+        self.heading += spin * mean * dt
+        self.cos = math.cos(self.heading)
+        self.sin = math.sin(self.heading)
         self.speed = speed
 
     def _next_speed(self, dt: float) -> float:

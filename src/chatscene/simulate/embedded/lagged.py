@@ -67,6 +67,9 @@ class LaggedVehicle(VehicleBody):
 
     def step(self, dt: float) -> None:
         """Advance by `dt` [s]."""
+        if self.spin is not None:
+            self._slide(self.spin, dt)
+            return
         limits = self.limits
         old = self.before = self.speed
         asked = -(1.0 if self.steer > 1.0 else -1.0 if self.steer < -1.0 else self.steer) * limits.wheel_angle

@@ -51,6 +51,7 @@ ORDER = [
     "ReverseStraight",
     "ReverseTurning",
     "TurnOff",
+    "Slide",
     "Park",
     "MoveAhead",
     "Halt",

@@ -73,13 +73,15 @@ typedef struct {
 typedef struct {
     double x, y, heading, speed, before, cos, sin, half_length, half_width, radius, grip;
     double throttle, brake, steer, wheel;  /* of vehicles */
-    double course, target_speed, vx, vy;   /* of walkers */
+    double course, target_speed, vx, vy;   /* of walkers; a course of vehicles that slide, too */
     double sight, height;                  /* from how far the ego sees it; 0 where nothing hides anybody */
     double was_x, was_y, was_heading;      /* before the last step */
     double even_speed, even_heading, even_distance; /* when it became quiet; the distance from the ego */
+    double spin;                           /* how far a vehicle that slides turns for each metre */
     Limits limits;
     int32_t kind, reverse, walks, seen_as_vehicle;
     int32_t backs, together;               /* drives backwards, and is carried as it goes; is with the ego */
+    int32_t slides;
 } Body;
 
 /* Conditions and numbers: programs for a stack. */
@@ -99,7 +101,7 @@ typedef struct {
 
 enum {
     DRIVE_PATH, BRAKE_ON_PATH, THROTTLE_ON_PATH, SWERVE_ON_PATH, WEAVE_ON_PATH, PACE_ON_PATH, KEEP_STATION,
-    FOLLOW_TRAFFIC, WAIT_FOR, REVERSE_STRAIGHT, REVERSE_TURNING, TURN_OFF, PARK, MOVE_AHEAD, HALT
+    FOLLOW_TRAFFIC, WAIT_FOR, REVERSE_STRAIGHT, REVERSE_TURNING, TURN_OFF, SLIDE, PARK, MOVE_AHEAD, HALT
 };
 enum { NEVER, UNTIL, AFTER };
 
@@ -430,7 +432,21 @@ static double next_speed(const Body *b, double dt) {
     return sign * (onward || rolling < REVERSE_SPEED ? rolling : REVERSE_SPEED);
 }
 
+static void step_sliding(Body *b, double dt) {
+    double old = b->before = b->speed, speed = next_speed(b, dt), mean = 0.5 * (old + speed);
+    b->x += mean * cos(b->course) * dt;
+    b->y += mean * sin(b->course) * dt;
+    b->heading += b->spin * mean * dt;
+    b->cos = cos(b->heading);
+    b->sin = sin(b->heading);
+    b->speed = speed;
+}
+
 static void step_vehicle(Body *b, double dt) {
+    if (b->slides) {
+        step_sliding(b, dt);
+        return;
+    }
     const Limits *limits = &b->limits;
     double old = b->before = b->speed, speed = next_speed(b, dt);
     double asked = -(b->steer > 1.0 ? 1.0 : b->steer < -1.0 ? -1.0 : b->steer) * limits->wheel_angle;
@@ -840,6 +856,14 @@ static int acts(World *w, Agent *agent, const Phase *phase, Body *b) {
         pedals(b->speed, a[1], b);
         break;
     }
+    case SLIDE:
+        if (!b->slides) b->course = b->heading;
+        b->slides = 1;
+        b->spin = a[0];
+        b->throttle = b->steer = 0.0;
+        b->brake = a[1];
+        b->reverse = 0;
+        return 1;
     case MOVE_AHEAD:
         if (b->kind == WALKER) {
             b->course = agent->course;
@@ -860,6 +884,7 @@ static int acts(World *w, Agent *agent, const Phase *phase, Body *b) {
     }
     b->steer = steer;
     b->reverse = reverse;
+    b->slides = 0;
     return 1;
 }
 
@@ -1060,6 +1085,10 @@ static int is_parted(const World *w, const Body *b, int rests) {
     const Body *ego = &w->body[0];
     const Line *line = &w->line[0];
     double dx = b->x - ego->x, dy = b->y - ego->y, vx = b->speed * b->cos, vy = b->speed * b->sin, at, beside;
+    if (b->slides) {
+        vx = b->speed * cos(b->course);
+        vy = b->speed * sin(b->course);
+    }
     if (dx * (vx - ego->speed * ego->cos) + dy * (vy - ego->speed * ego->sin) <= 0.0) return 0;
     double fast = fabs(ego->speed), other = fabs(b->speed);
     double least = APART * (other > fast ? other : fast) + ego->radius + b->radius;
@@ -1164,8 +1193,9 @@ static void look(World *w) {
             contact->step = w->step;
             contact->other = i;
             contact->side = contact_side(&mine, &theirs);
-            contact->speed = hypotenuse(ego->before * cos(ego->was_heading) - o->before * cos(o->was_heading),
-                                        ego->before * sin(ego->was_heading) - o->before * sin(o->was_heading));
+            double goes = o->slides ? o->course : o->was_heading;
+            contact->speed = hypotenuse(ego->before * cos(ego->was_heading) - o->before * cos(goes),
+                                        ego->before * sin(ego->was_heading) - o->before * sin(goes));
             contact->earlier = earlier;
         }
         if (touch(ego, o)) w->touching |= 1ULL << i; else passed = 1;

@@ -81,11 +81,11 @@ class Body(Structure):
                 *("x", "y", "heading", "speed", "before", "cos", "sin", "half_length", "half_width", "radius", "grip"),
                 *("throttle", "brake", "steer", "wheel", "course", "target_speed", "vx", "vy", "sight", "height"),
                 *("was_x", "was_y", "was_heading"),
-                *("even_speed", "even_heading", "even_distance"),
+                *("even_speed", "even_heading", "even_distance", "spin"),
             )
         ),
         ("limits", Limits),
-        *((name, c_int32) for name in ("kind", "reverse", "walks", "seen_as_vehicle", "backs", "together")),
+        *((name, c_int32) for name in ("kind", "reverse", "walks", "seen_as_vehicle", "backs", "together", "slides")),
     )
 
 
