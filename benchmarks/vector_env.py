@@ -1,6 +1,6 @@
 """What a step of an environment takes: alone in either simulator, and several side by side in `native`.
 
-    python benchmarks/vector_env.py [--count 8] [--steps 300] [--courses 2] [--seed 0]
+    python benchmarks/vector_env.py [--count 8] [--steps 300] [--courses 2] [--seed 0] [--together]
 
 Ordinary drives of the town, actions drawn at random. Processor time of a step of one environment, and what resets add
 to it; compiling is left out, since every course is begun once before.
@@ -63,15 +63,18 @@ def together(courses: Sequence[Course], actions: Any, seed: int) -> tuple[float,
 @click.option("--steps", default=300)
 @click.option("--courses", "several", default=2)
 @click.option("--seed", default=0)
-def main(count: int, steps: int, several: int, seed: int) -> None:
+@click.option("--together", "only", is_flag=True, help="Side by side alone; many are slow in the embedded simulator.")
+def main(count: int, steps: int, several: int, seed: int, *, only: bool) -> None:
     draw = np.random.default_rng(seed)
     actions = draw.uniform((-0.3, -0.05), (1.0, 0.05), (steps, count, 2)).astype(np.float32)
     courses = ordinary_courses(load_simulator(resolve_map("town"), SimulationSettings()))[:several]
-    for name, (seconds, drives) in {
-        "alone, embedded": alone(SimulationSettings(), courses, actions, seed),
-        "alone, native": alone(NATIVE, courses, actions, seed),
-        "side by side, native": together(courses, actions, seed),
-    }.items():
+    ways = {
+        "alone, embedded": lambda: alone(SimulationSettings(), courses, actions, seed),
+        "alone, native": lambda: alone(NATIVE, courses, actions, seed),
+        "side by side, native": lambda: together(courses, actions, seed),
+    }
+    for name, way in [*ways.items()][2 * only :]:
+        seconds, drives = way()
         each = seconds / (steps * count)
         print(f"{name}: {1e6 * each:.0f} us a step, {1.0 / each:,.0f} steps/s; {drives} drives ended")
 

@@ -175,12 +175,9 @@ class RouteSurroundings:
         if not changes:
             return []
         both = [*changes, *(step + 1 for step in changes)]
-        inside = shapely.contains_xy(self._junctions, ego.x[both], ego.y[both]).reshape(2, -1).any(axis=0).tolist()
-        return [
-            Event(kind=EventKind.LANE_INVASION, step=step + 1)
-            for step, within in zip(changes, inside, strict=True)
-            if not within
-        ]
+        inside: list[bool] = shapely.contains_xy(self._junctions, ego.x[both], ego.y[both]).tolist()
+        crossed = zip(changes, inside, inside[len(changes) :], strict=False)
+        return [Event(kind=EventKind.LANE_INVASION, step=step + 1) for step, *there in crossed if not any(there)]
 
     def _stop_signs(self, ego: Track) -> list[Event]:
         events: list[Event] = []
