@@ -57,7 +57,7 @@ class Scenes:
         began = time.thread_time()
         bound = bind(session, program)
         self.binding += time.thread_time() - began
-        self.driving += spent(partial(drive, session, ego))
+        self.driving += spent(partial(drive, session, ego, scene.id))
         self.agent_steps += session.step_number * bound.world.moving
         session.close()
         self.pairs.append((program, scene))
