@@ -40,7 +40,6 @@ if TYPE_CHECKING:
         read_events,
         read_ranges,
         read_scenes,
-        read_signals,
         resume,
         write_block,
     )
@@ -60,7 +59,6 @@ if TYPE_CHECKING:
         MapRecord,
         ProgramRecord,
         Record,
-        ReportRecord,
         ReproductionRecord,
         RunRecord,
         SimulatorRecord,
@@ -75,7 +73,6 @@ if TYPE_CHECKING:
         criticality_of,
         measurements_of,
         metrics_of,
-        route_id,
         route_index,
         scene_of,
         speeds_of,
@@ -111,7 +108,6 @@ __all__ = [
     "MapRecord",
     "ProgramRecord",
     "Record",
-    "ReportRecord",
     "ReproductionRecord",
     "RunRecord",
     "SimulatorRecord",
@@ -152,10 +148,8 @@ __all__ = [
     "read_ranges",
     "read_record",
     "read_scenes",
-    "read_signals",
     "require_done",
     "resume",
-    "route_id",
     "route_index",
     "run_folders",
     "scenario_of",
@@ -176,7 +170,7 @@ _NAMES = {
     "asked": "asked_benchmark asked_evaluation asked_run ego_digests scenario_of",
     "blocks": (
         "done_blocks drop_blocks each_scene finish read_adversaries read_episode read_episodes read_events "
-        "read_counts read_ranges read_scenes read_signals resume write_block"
+        "read_counts read_ranges read_scenes resume write_block"
     ),
     "checking": "Condition check",
     "drawing": "read_drawing write_drawing",
@@ -184,10 +178,10 @@ _NAMES = {
     "explanation": "explain read_choice read_explanation write_choice",
     "record": (
         "SCHEMA_VERSION BenchmarkRecord ComparisonRecord Driven EvaluationRecord FinetuningRecord Kind LessonsRecord "
-        "MapRecord ProgramRecord Record ReportRecord ReproductionRecord RunRecord SimulatorRecord "
+        "MapRecord ProgramRecord Record ReproductionRecord RunRecord SimulatorRecord "
         "SituationRecord SourceRecord Status TrainingRecord settings_from settings_of"
     ),
-    "tables": "criticality_of measurements_of metrics_of route_id route_index scene_of speeds_of",
+    "tables": "criticality_of measurements_of metrics_of route_index scene_of speeds_of",
     "workspace": (
         "Workspace changed_versions create free_folder is_drawn_up note open_run read_programs read_record "
         "require_done run_folders standing take_up update write_program"
