@@ -37,7 +37,22 @@ def test_the_ego_sets_off_once_who_is_ahead_does() -> None:
     assert other[0] < ego[0]
 
 
-def test_waiting_for_what_somebody_does_from_the_first_is_refused() -> None:
+def test_for_what_somebody_ahead_does_from_the_first_the_ego_waits_until_it_is_near() -> None:
     change = {"act": "lane-change", "to": "left", "when": {"during": "A.stand"}}
-    with pytest.raises(NotBuilt, match="which A does from the start"):
-        build(from_plain(said([change], MET | {"does": [{"act": "stand"}]})))
+    episode = driven(said([change], MET | {"does": [{"act": "stand"}]}))
+    moved = np.flatnonzero(episode.distance_to_route > 0.3)[0]
+    ego, other = (np.array([one.x[moved], one.y[moved]]) for one in (episode.ego_track, track(episode)))
+    assert 10.0 < np.linalg.norm(ego - other) < 80.0
+
+
+def test_waiting_for_what_somebody_behind_does_from_the_first_is_refused() -> None:
+    change = {"act": "lane-change", "to": "left", "when": {"during": "B.go-along"}}
+    behind = {
+        "id": "B",
+        "kind": "car",
+        "role": "supporting",
+        "starts": {"where": "behind"},
+        "does": [{"act": "go-along"}],
+    }
+    with pytest.raises(NotBuilt, match="which B does from the start"):
+        build(from_plain(said([change], MET | {"does": [{"act": "stand"}]}, behind)))

@@ -7,6 +7,7 @@ from typing import Any
 
 import pytest
 
+from chatscene.build.build import build
 from chatscene.build.in_part import build_in_part, lesser
 from chatscene.errors import NotBuilt
 from chatscene.read.quotes import not_in_words
@@ -87,3 +88,13 @@ def test_deeds_behind_one_that_is_left_out_keep_who_waits_for_them() -> None:
 def test_the_last_deed_goes_only_if_what_it_is_there_for_is_done() -> None:
     said = situation({"act": "brake"}, {"act": "set-off"}, {"act": "exit"})
     assert {one.path for one in lesser(said)} == {"others.A.does.2"}
+
+
+def test_all_facts_that_a_refusal_names_are_left_out_at_once() -> None:
+    overtake = {"act": "overtake", "whom": "A", "distance": "2 m", "lateral": {"clearance": "1.5 m"}}
+    said = situation({"act": "go-along"}, ego={"does": [{"act": "follow", "whom": "A"}, overtake]})
+    with pytest.raises(NotBuilt, match="; ") as refused:
+        build(said)
+    made, _ = build_in_part(said)
+    assert made.evidence.unbuilt == ("ego.does.1.distance: 2 m", "ego.does.1.lateral.clearance: 1.5 m")
+    assert all(one in str(refused.value) for one in made.evidence.unbuilt)

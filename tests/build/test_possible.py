@@ -9,6 +9,7 @@ import pytest
 from chatscene.build.build import build
 from chatscene.build.possible import FROM
 from chatscene.errors import NotBuilt
+from chatscene.search.rehearsal import unseen_at_first
 from chatscene.situations.form import from_plain
 from chatscene.terms.vocabulary import Act, Where
 
@@ -120,5 +121,37 @@ def test_what_was_done_before_may_have_taken_it_elsewhere() -> None:
 
 
 def test_what_cannot_be_done_from_a_place_is_refused_with_the_places_from_which_it_can() -> None:
-    told = "keep-level is not possible from ahead, only from ahead-beside, beside, behind-beside"
+    told = "keep-level is not possible from ahead, only from ahead-beside, beside, behind-beside, on-ramp"
     assert refusal("ahead", "keep-level").endswith(told)
+
+
+BACKS = {"ego": {"route": "leave-parking", "does": [{"act": "reverse"}]}}
+
+
+@pytest.mark.parametrize(
+    ("kind", "where", "acts", "more"),
+    [
+        ("pedestrian", "ahead-beside", ("cross",), {}),
+        ("deer", "beside", ("cross",), {}),
+        ("pedestrian", "behind", ("cross",), BACKS),
+        ("pedestrian", "behind", ("stand",), {"ego": {"route": "reverse"}}),
+        ("car", "on-ramp", ("keep-level", "merge"), {}),
+        ("car", "ahead-beside", ("open-door",), {}),
+        ("car", "ahead-beside", ("drop-load",), {}),
+        ("car", "oncoming", ("drop-load",), {}),
+        ("car", "arm", ("pull-out",), {}),
+        ("car", "arm", ("hesitate", "set-off"), {}),
+        ("car", "kerb", ("cut-in",), {}),
+        ("car", "bus-bay", ("merge",), {}),
+        ("car", "driveway", ("yield", "enter"), {}),
+        ("car", "oncoming-in-our-lane", ("drift",), {}),
+        ("car", "in-roundabout", ("cut-in",), {}),
+    ],
+)
+def test_what_is_built_and_seen_from_a_place_is_possible_there(
+    kind: str, where: str, acts: tuple[str, ...], more: dict[str, Any]
+) -> None:
+    side = {"side": "right"} if Where(where).row.sided else {}
+    does = [{"act": act} for act in acts]
+    said = from_plain({"others": [{"id": "A", "kind": kind, "starts": {"where": where, **side}, "does": does}], **more})
+    assert not unseen_at_first(build(said), said)

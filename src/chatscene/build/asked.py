@@ -291,9 +291,10 @@ def is_still(one: Other) -> bool:
 
 
 def stands_first(one: Other) -> bool:
-    """Whether somebody stands when it begins."""
+    """Whether somebody stands when it begins: a door is opened standing, too."""
     first = one.does[0].act if one.does else None
-    return is_still(one) or first in FROM_A_STAND | acts_of(Heads.FROM_EDGE) or one.kind.moves is Moves.LIES
+    stands = FROM_A_STAND | acts_of(Heads.FROM_EDGE) | {Act.OPEN_DOOR}
+    return is_still(one) or first in stands or one.kind.moves is Moves.LIES
 
 
 def goes_slowly(one: Other) -> bool:

@@ -1,6 +1,7 @@
 """What the ego waits for: a deed of somebody else, by the phase of that one's plan.
 
 The ego is built before all others, so that an order names the deed at first, and the phase once the plans are there.
+For what somebody ahead does from the start it waits until it is near to that one.
 """
 
 from __future__ import annotations
@@ -64,7 +65,10 @@ def _in_phase(order: Order, situation: Situation, actors: Mapping[str, Actor]) -
     who, k = order.whom.partition(".")[0], situation.number_of(order.whom)
     phases = actors[who].begins
     if k >= len(phases) or (phase := phases[k]) < 1:
+        if order.within > 0.0:
+            return replace(order, whom=who, phase=-1)
         raise NotBuilt(f"cannot be built yet: that the ego waits for {order.whom}, which {who} does from the start")
+    order = replace(order, within=0.0)
     if order.phase and k + 1 < len(phases):
         return replace(order, whom=who, phase=phase + 1)
     later = UNDER_WAY if order.phase and not order.ends else 0.0

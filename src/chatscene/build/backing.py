@@ -23,7 +23,9 @@ TOWARD_LANE = 1.2  # [m] that who hides somebody is nearer to the lane than the 
 
 
 _BY_ROAD = frozenset((Where.ROADSIDE, Where.ARM, Where.BEHIND, Where.BEHIND_BESIDE, Where.BESIDE))
-_ALONG = frozenset((Where.ROADSIDE, Where.CROSSING, Where.DRIVEWAY, Where.BEHIND, Where.ONCOMING_IN_OUR_LANE))
+_ALONG = frozenset(
+    (Where.ROADSIDE, Where.CROSSING, Where.DRIVEWAY, Where.BEHIND, Where.ONCOMING_IN_OUR_LANE, Where.AHEAD)
+)
 
 
 def check_met(situation: Situation) -> None:

@@ -21,7 +21,7 @@ from chatscene.situations.naming import named_by
 from chatscene.terms.situation import EGO, Deed, Other, Situation, When
 from chatscene.terms.vocabulary import PLAIN, Heads, Role, Tempo, acts_of
 
-TRIES = 60
+TRIES = 40
 """Situations at most that are tried to be built."""
 _BESIDE = 3
 """How much more it counts to leave out what the refusal does not name."""
@@ -90,17 +90,18 @@ def _without_least(situation: Situation, refused: NotBuilt) -> tuple[Situation, 
     Facts are left out one after the other, as long as each time another refusal comes of it.
     """
     numbers, met = count(), {situation}
-    tried: list[tuple[int, int, Less, tuple[str, ...], str]] = []
+    tried: list[tuple[int, int, Situation, tuple[str, ...], str]] = []
 
     def push(one: Situation, missed: int, left_out: tuple[str, ...], error: NotBuilt) -> None:
-        named = _PATH.findall(str(error))
-        for less in lesser_read(one):
-            if less.situation in met:
+        named = tuple(dict.fromkeys(_PATH.findall(str(error))))
+        for path, several in ((None, _without_all(one, named)), *((less.path, [less]) for less in lesser_read(one))):
+            if not several or several[-1].situation in met:
                 continue
-            met.add(less.situation)
-            more = less.missed + (0 if any(touches(less.path, path) for path in named) else _BESIDE)
-            told = (*left_out, less.told + _because(error, less.told))
-            heapq.heappush(tried, (missed + more, next(numbers), less, told, str(error)))
+            met.add(several[-1].situation)
+            beside = path is not None and not any(touches(path, other) for other in named)
+            more = max(less.missed for less in several) + beside * _BESIDE
+            told = (*left_out, *(less.told + _because(error, less.told) for less in several))
+            heapq.heappush(tried, (missed + more, next(numbers), several[-1].situation, told, str(error)))
 
     push(situation, 0, (), refused)
     for _ in range(TRIES):
@@ -108,15 +109,30 @@ def _without_least(situation: Situation, refused: NotBuilt) -> tuple[Situation, 
             break
         missed, _, less, left_out, why = heapq.heappop(tried)
         try:
-            built = build(less.situation)
+            built = build(less)
         except NotBuilt as error:
             if str(error) != why:
-                push(less.situation, missed, left_out, error)
+                push(less, missed, left_out, error)
             continue
-        evidence = still_evident(situation, less.situation)
+        evidence = still_evident(situation, less)
         unbuilt = (*situation.evidence.unbuilt, *left_out)
-        return replace(less.situation, evidence=replace(evidence, unbuilt=unbuilt)), built
+        return replace(less, evidence=replace(evidence, unbuilt=unbuilt)), built
     return None
+
+
+def _without_all(situation: Situation, named: tuple[str, ...]) -> list[Less]:
+    """A situation without one after the other of the facts that a refusal names; none if one of them is no lesser one.
+
+    A refusal that names several facts says that none of them is built.
+    """
+    several: list[Less] = []
+    for path in named if len(named) > 1 else ():
+        here = several[-1].situation if several else situation
+        less = next((one for one in lesser_read(here) if f"{path}.".startswith(f"{one.path}.")), None)
+        if less is None:
+            return []
+        several.append(less)
+    return several
 
 
 def touches(one: str, other: str) -> bool:
@@ -136,9 +152,11 @@ def _because(error: NotBuilt, told: str) -> str:
     """Why a fact is left out, behind it in brackets; empty where the refusal says no more than that it is not built."""
     if isinstance(error, NoSuchPlace):
         return " (no map has such a place with it)"
-    first = str(error).removeprefix("impossible: ").removeprefix("cannot be built yet: ").partition("; ")[0]
-    why = first.removeprefix(told.partition(": ")[0]).removeprefix(".act").removeprefix(": ")
-    return f" ({why})" if why not in ("", told, told.partition(": ")[2]) else ""
+    path, _, value = told.partition(": ")
+    clauses = str(error).removeprefix("impossible: ").removeprefix("cannot be built yet: ").split("; ")
+    clause = next((one for one in clauses if one.startswith(path)), clauses[0])
+    why = clause.removeprefix(path).removeprefix(".act").removeprefix(": ")
+    return f" ({why})" if why not in ("", told, value) else ""
 
 
 def lesser_read(situation: Situation) -> Iterator[Less]:

@@ -50,7 +50,7 @@ class Near:
 
     Attributes:
         whom: The label of whom the ego is then near to; empty for a time.
-        within: How near [m].
+        within: How near [m]; of a deed that is waited for, if that one does it from the start; 0 if it is not ahead.
         since: After how many seconds [s] the next begins.
         by: After how many seconds [s] the ego has passed somebody who is ahead in its lane; 0 of others.
         after: Whether a deed is to be done before, if `whom` is one; None if it is a label.
@@ -66,7 +66,8 @@ class Near:
         """An order that begins then."""
         order = replace(Order(), **held)
         if self.after is not None:
-            return waiting(order, "after" if self.after else "during", self.whom)
+            near = replace(order, within=round(self.within, 1))
+            return waiting(near, "after" if self.after else "during", self.whom)
         return replace(order, whom=self.whom, within=round(self.within, 1)) if self.whom else order
 
 
@@ -316,18 +317,20 @@ def _begins(ledger: Ledger, deeds: Sequence[Deed], first: int, drives: Drives, s
     situation, when, speed = ledger.situation, deeds[0].when or When(), drives.speed
     slows = round(_slows(deeds[0], speed), 2)
     at = f"ego.does.{first}.when"
-    if when.ego_within is None and (waits := awaited(deeds[0])) is not None:
-        name, reference = waits
-        ledger.take(f"{at}.{name}")
-        delay = 0.0
+    waits = awaited(deeds[0]) if when.ego_within is None else None
+    delay = 0.0
+    if waits is not None:
+        ledger.take(f"{at}.{waits[0]}")
         if when.delay is not None:
             ledger.take(f"{at}.delay")
             delay = when.delay.near(0.0)
-        return Near(whom=reference, after=name == "after", since=round(delay, 2))
+    awaits = None if waits is None else Near(whom=waits[1], after=waits[0] == "after", since=round(delay, 2))
     named = (when.after or when.during or "").partition(".")[0]
     who = when.of or (named if named not in ("", EGO) else deeds[0].whom)
     others = [one for one in situation.others if one.starts.where not in NOT_AHEAD]
     whom = next((one for one in others if one.id == who), None) if who else next(iter(_in_the_way(others)), None)
+    if awaits is not None and whom is None:
+        return awaits
     if whom is None or (deeds[0].act is Act.ACCELERATE and when.ego_within is None and not named):
         level = (one for one in situation.others if one.starts.where is Where.BESIDE)  # who cannot be so for long
         soon = deeds[0].act is Act.ACCELERATE or any(falls_behind(situation, one, speed) > SAME for one in level)
@@ -340,6 +343,8 @@ def _begins(ledger: Ledger, deeds: Sequence[Deed], first: int, drives: Drives, s
     if situation.contact is not None and not situation.contact.happens:
         seconds += SPARES
     comes = closing(situation, whom, speed)
+    if awaits is not None:
+        return replace(awaits, within=comes * (seconds + slows) + middles)
     if isinstance(when.ego_within, Length):
         return Near(whom=whom.id, within=when.ego_within.near(comes * seconds) + middles + comes * slows, since=slows)
     if when.ego_within is not None:

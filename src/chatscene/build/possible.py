@@ -15,6 +15,7 @@ from chatscene.situations.faults import Fault
 from chatscene.terms.act_amounts import AMOUNTS
 from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.amount import Amount
+from chatscene.terms.backing import backs
 from chatscene.terms.situation import EGO, Deed, Other, Situation, When
 from chatscene.terms.vocabulary import (
     ASIDE,
@@ -35,27 +36,26 @@ from chatscene.terms.vocabulary import (
 OFF_ROAD = frozenset(
     (Where.ROADSIDE, Where.DRIVEWAY, Where.CROSSING, Where.EXIT_CROSSING, Where.MEDIAN, Where.KERB, Where.BUS_BAY)
 )
-_JOINS = frozenset((Where.ON_RAMP, Where.ROUNDABOUT_ENTRY))
+_JOINS = frozenset((Where.ON_RAMP, Where.ROUNDABOUT_ENTRY, Where.IN_ROUNDABOUT))
 _AGAINST = frozenset((Where.ONCOMING,))
+_EDGE = frozenset((Where.KERB, Where.BUS_BAY))
 _LANES = NEXT_LANE | _AGAINST | {Where.AHEAD, Where.BEHIND, Where.ARM, Where.ONCOMING_IN_OUR_LANE}
 
 _FROM: dict[Tempo | Heads | Act, frozenset[Where]] = {
-    Heads.FROM_EDGE: frozenset((Where.KERB, Where.DRIVEWAY, Where.BUS_BAY)),
-    Heads.BEFORE: NEXT_LANE | _JOINS | _AGAINST,
-    Heads.MERGES: NEXT_LANE | _JOINS,
-    Heads.IN: NEXT_LANE | _JOINS | OFF_ROAD | _AGAINST | {Where.ARM, Where.IN_ROUNDABOUT},
+    Heads.FROM_EDGE: _EDGE | {Where.DRIVEWAY, Where.AHEAD_BESIDE, Where.ARM, Where.ROUNDABOUT_ENTRY},
+    Heads.BEFORE: NEXT_LANE | _JOINS | _AGAINST | _EDGE | {Where.ARM},
+    Heads.MERGES: NEXT_LANE | _JOINS | _EDGE | {Where.ARM},
+    Heads.IN: NEXT_LANE | _JOINS | OFF_ROAD | _AGAINST | {Where.ARM},
     Heads.BY: frozenset((Where.BEHIND, Where.BEHIND_BESIDE, Where.BESIDE, Where.ONCOMING)),
     Heads.CLOSE: frozenset((Where.BEHIND,)),
-    Heads.LEVEL: NEXT_LANE,
-    Heads.ACROSS: OFF_ROAD | {Where.ARM},
-    Heads.OUT: frozenset((Where.AHEAD,)),
-    Heads.OVER: _LANES - {Where.ARM} | {Where.ON_RAMP},
-    Heads.TURNS: NEXT_LANE | _AGAINST | {Where.AHEAD, Where.ARM},
-    Tempo.WAITS: _JOINS | _LANES,
+    Heads.LEVEL: NEXT_LANE | {Where.ON_RAMP},
+    Heads.ACROSS: OFF_ROAD | {Where.ARM, Where.ROUNDABOUT_ENTRY, Where.IN_ROUNDABOUT},
+    Heads.OUT: frozenset((Where.AHEAD, Where.BEHIND)),
+    Heads.OVER: _LANES - {Where.ARM} | _EDGE | {Where.ON_RAMP},
+    Heads.TURNS: _LANES,
     Heads.BACK: OFF_ROAD | {Where.AHEAD, Where.ARM},
-    Act.OPEN_DOOR: frozenset((Where.KERB, Where.AHEAD, Where.AHEAD_BESIDE, Where.BESIDE, Where.ONCOMING)),
-    Act.DROP_LOAD: frozenset((Where.AHEAD,)),
-    Heads.DRIFTS: frozenset(Where) - OFF_ROAD - {Where.ONCOMING_IN_OUR_LANE},
+    Act.OPEN_DOOR: _EDGE | {Where.AHEAD, Where.AHEAD_BESIDE, Where.BESIDE, Where.ONCOMING},
+    Heads.DRIFTS: frozenset(Where) - OFF_ROAD | _EDGE,
 }
 FROM = by_act(_FROM)
 """Where an act can be begun from; of one that is done to somebody, where it is done to the ego."""
@@ -64,16 +64,18 @@ TO_ANOTHER = by_act(
         Heads.BY: _LANES,
         Heads.CLOSE: _LANES,
         Heads.LEVEL: _LANES,
-        Heads.BEFORE: NEXT_LANE | _JOINS | _AGAINST,
+        Heads.BEFORE: NEXT_LANE | _JOINS | _AGAINST | {Where.AHEAD},
     }
 )
 """Where from to somebody else."""
+_ON_FOOT = NEXT_LANE - {Where.BEHIND_BESIDE} | {Where.AHEAD}
+"""Where somebody on foot can be on the road who crosses it."""
 _OURS = {Where.AHEAD, Where.BEHIND, Where.ONCOMING_IN_OUR_LANE}
 _LEVEL_WITH = _LANES - {Where.ARM} - _OURS | {Where.KERB, Where.BUS_BAY, Where.ON_RAMP}
 """Where somebody is with whom the ego can be level: not in its own lane."""
 _TURNED = acts_of(Heads.ROUND, Heads.BACK, Heads.TURNS, Heads.OFF)
 _STILL = HALTS | acts_of(Tempo.WAITS, Tempo.LIES, Heads.EDGE)
-_MAY_STAND = _STILL | acts_of(Tempo.BRAKES, Tempo.BACKS) | {Act.OPEN_DOOR}
+_MAY_STAND = _STILL | acts_of(Tempo.BRAKES, Tempo.BACKS, Tempo.PAUSES) | {Act.OPEN_DOOR}
 _GOES = SLOWS | PLAIN | acts_of(Tempo.GAINS, Tempo.LIES, Heads.ACROSS)
 _OFF = (
     COMES_IN
@@ -110,8 +112,9 @@ def impossible(situation: Situation) -> Iterator[Fault]:
         stood = False
         for k, deed in enumerate(one.does):
             moved_away = any(other.act in FROM for other in one.does[:k])
-            in_lane = one.starts.where is Where.AHEAD and one.kind.moves is Moves.WALKS  # at its edge
-            crosses = in_lane and deed.act in acts_of(Heads.ACROSS)
+            on_foot = one.starts.where in _ON_FOOT and one.kind.moves is Moves.WALKS  # at a lane's edge
+            on_foot = on_foot or (one.starts.where is Where.BEHIND and backs(situation))  # where the ego then goes
+            crosses = on_foot and deed.act in acts_of(Heads.ACROSS)
             if not (moved_away or crosses) and one.starts.where not in _from(deed):
                 places = ", ".join(where for where in Where if where in _from(deed))
                 told = f"{deed.act} is not possible from {one.starts.where}, only from {places}"

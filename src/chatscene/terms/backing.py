@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 
+from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.episode import Episode, Event
 from chatscene.terms.route import Beside
 from chatscene.terms.situation import Deed, Other, Situation
@@ -24,6 +25,8 @@ BACKWARDS: dict[EgoRoute | None, Beside] = {
 _OPPOSITE = {"left": "right", "right": "left", "front": "rear", "rear": "front"}
 _COMES_ALONG = {Where.BEHIND: Where.ONCOMING_IN_OUR_LANE, Where.AHEAD: Where.BEHIND}
 """Where somebody is on the way of an ego that backs along its lane."""
+BEHIND_ON_FOOT = {True: Where.AHEAD, False: Where.ROADSIDE}
+"""Where who is behind it and no vehicle is on that way: in its lane; beside the road, if it backs out onto that."""
 
 
 def backs(situation: Situation) -> bool:
@@ -54,6 +57,8 @@ def turned_about(part: str) -> str:
 def _turned(one: Other, *, along: bool) -> Other:
     start = one.starts
     where = _COMES_ALONG.get(start.where, start.where) if along else start.where
+    if start.where is Where.BEHIND and one.kind.moves in (Moves.WALKS, Moves.LIES):
+        where = BEHIND_ON_FOOT[along]
     side = None if start.side is None else Side(turned_about(start.side))
     return replace(one, starts=replace(start, where=where, side=side), does=tuple(map(_deed_turned, one.does)))
 
