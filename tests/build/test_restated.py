@@ -10,6 +10,7 @@ import pytest
 from chatscene.build.build import Built, build
 from chatscene.build.restated import restated
 from chatscene.errors import NotBuilt
+from chatscene.search.rehearsal import unseen_at_first
 from chatscene.situations.form import from_plain
 from chatscene.terms.vocabulary import EgoRoute, Where
 
@@ -187,3 +188,27 @@ def test_an_ego_that_sets_off_as_hard_as_was_said_gains_speed_so() -> None:
 def test_who_is_beside_an_ego_that_is_to_overtake_it_is_slower_if_no_speed_was_said() -> None:
     said = {"ego": {"speed": "80 km/h", "does": [{"act": "overtake", "whom": "A"}]}}
     assert built(one("truck", {"where": "ahead-beside", "side": "right"}, "go-along"), **said).left_out == ()
+
+
+def test_who_does_the_same_after_another_from_the_same_place_comes_right_behind_it() -> None:
+    first = {
+        "id": "B",
+        "kind": "bicycle",
+        "role": "hides",
+        "starts": {"where": "arm"},
+        "does": [{"act": "go-straight"}],
+    }
+    after = {"act": "go-straight", "when": {"after": "B.go-straight"}}
+    second = {"id": "A", "kind": "bicycle", "starts": {"where": "arm"}, "does": [after, {"act": "stop"}]}
+    said = from_plain({"ego": {"speed": "15 km/h"}, "road": {"kind": "junction"}, "others": [second, first]})
+    made = build(said)
+    assert "A comes right behind B" in made.assumed
+    assert not unseen_at_first(made, said)
+
+
+def test_who_waits_for_another_act_of_another_waits() -> None:
+    first = {"id": "B", "kind": "car", "role": "supporting", "starts": {"where": "arm"}, "does": [{"act": "turn-left"}]}
+    after = {"act": "go-straight", "when": {"after": "B.turn-left"}}
+    second = {"id": "A", "kind": "bicycle", "starts": {"where": "arm"}, "does": [after]}
+    said = from_plain({"road": {"kind": "junction"}, "others": [second, first]})
+    assert restated(said).situation.others[0].does[0].when is not None

@@ -24,6 +24,7 @@ from chatscene.terms.lateral import PLACED
 from chatscene.terms.situation import EGO, LATERALS, SEVERAL, Deed, Ego, Lateral, Other, Situation, When
 from chatscene.terms.vocabulary import (
     FOR_SOMEBODY,
+    PLAIN,
     SIDEWAYS,
     SLOWS,
     Act,
@@ -76,6 +77,7 @@ def restated(situation: Situation) -> Restated:
         _at_its_first_speed,
         _for_whom,
         _comes_into_view,
+        _right_behind,
     ):
         made.each(rule)
     return made
@@ -217,6 +219,24 @@ def _comes_into_view(made: Restated, one: Other) -> Other:
     does = (replace(first, when=None, speed=None), *one.does[1:])
     made.taken += [f"others.{one.id}.does.0.speed"] * (first.speed is not None)
     return replace(one, starts=replace(one.starts, speed=wish), does=does)
+
+
+def _right_behind(made: Restated, one: Other) -> Other:
+    """Who does what another does from the same place, and after that one, comes right behind it."""
+    first = one.does[0] if one.does else None
+    when = first.when if first is not None else None
+    if first is None or when is None or when.after is None or when != When(after=when.after) or stands_first(one):
+        return one
+    before = when.after.partition(".")[0]
+    if before in (EGO, one.id) or first.act not in PLAIN:
+        return one
+    other, does = made.situation[before], made.situation.deed(when.after)
+    alike = other.starts.where is one.starts.where and other.starts.side is one.starts.side and not stands_first(other)
+    if not alike or does is not other.does[0] or does.act is not first.act or does.when is not None:
+        return one
+    made.taken.append(f"others.{one.id}.does.0.when")
+    made.assumed.append(f"{one.id} comes right behind {before}")
+    return replace(one, does=(replace(first, when=None), *one.does[1:]))
 
 
 def _seen_of(situation: Situation, one: Other, deed: Deed) -> str | None:
