@@ -26,6 +26,7 @@ def test_a_kind_is_read_by_the_noun_that_it_is_told_with(kind: UserKind) -> None
         ("A pickup ahead of us brakes hard.", None, UserKind.PICKUP),
         ("A woman with a pram crosses from the left.", None, UserKind.PRAM),
         ("An auto-rickshaw makes a U-turn in front of my pickup truck.", UserKind.PICKUP, UserKind.AUTO_RICKSHAW),
+        ("A shopping trolley lies in our lane.", None, UserKind.OBJECT),
         ("A tram crosses in front of us from the left.", None, UserKind.TRAM),
         ("A bicycle crosses in front of us from the left.", None, UserKind.BICYCLE),
     ],

@@ -61,7 +61,8 @@ def finer(kind: UserKind, place: tuple[int, int], text: str, kinds: Iterable[Use
     """
     low, high = place
     for one in kinds:
-        alike = kind.row.general or one.moves is kind.moves or {one.moves, kind.moves} <= WHEELS
+        on_foot = one.moves is kind.moves and one.is_animal == kind.is_animal
+        alike = on_foot or {one.moves, kind.moves} <= WHEELS or kind is UserKind.ROAD_USER
         for noun in nouns_of(one) if alike else ():
             for start, end in (found.span() for found in re.finditer(_pattern(noun), text, re.IGNORECASE)):
                 if start <= low < end or low <= start < high:
