@@ -85,16 +85,17 @@ class Coming:
 
 def wanted_by(situation: Situation) -> float:
     """What the ego drives at where nothing holds it [m/s]: as was said of it or of the traffic, else as is usual."""
-    said, body = situation.ego.speed, situation.ego.body
+    said = situation.ego.speed
     if said is None and backs(situation):
         return WALKS
-    if said is None:
-        return min(
-            max(usual_speed(body, speed_of_road(situation)), speed_of_traffic(situation)),
-            speed_kept_up(situation),
-            body.row.limits.fastest,
-        )
-    return said.most
+    return min(free_speed(situation), speed_kept_up(situation)) if said is None else said.most
+
+
+def free_speed(situation: Situation) -> float:
+    """What an ego of no said speed usually drives at [m/s], whoever is to keep up with it."""
+    body = situation.ego.body
+    usual = max(usual_speed(body, speed_of_road(situation)), speed_of_traffic(situation))
+    return min(usual, body.row.limits.fastest)
 
 
 def keeps_limits(situation: Situation) -> bool:

@@ -7,9 +7,9 @@ from collections.abc import Generator, Iterator, Mapping, Sequence
 from dataclasses import dataclass, fields, replace
 from itertools import takewhile
 
-from chatscene.build.asked import FROM_A_STAND
+from chatscene.build.asked import FROM_A_STAND, ROOM, is_still, stands_first
 from chatscene.build.awaiting import awaited, waiting
-from chatscene.build.coming import Coming, coming, keeps_limits, wanted_by
+from chatscene.build.coming import Coming, coming, free_speed, keeps_limits, wanted_by
 from chatscene.build.ledger import Ledger
 from chatscene.build.numbers import FIRM, rigid, strong, stronger
 from chatscene.build.own import FIRST, KEEPS, LATER, Drives, fastest, is_own, own_orders
@@ -21,6 +21,7 @@ from chatscene.errors import NotBuilt, NothingBuilds
 from chatscene.maps.routes import TO_LINE
 from chatscene.situations.phrases import one_of
 from chatscene.terms.actors import LIMITS, REVERSE_SPEED
+from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.backing import backs
 from chatscene.terms.conclusions import JUNCTIONS
 from chatscene.terms.order import Order
@@ -42,6 +43,7 @@ from chatscene.terms.vocabulary import (
     Side,
     Tempo,
     UserKind,
+    Where,
     acts_of,
 )
 from chatscene.world.ego_route import EgoRoute as Route
@@ -117,13 +119,11 @@ def ego_of(ledger: Ledger, found: Found, at_most: float = NOMINAL.speed) -> Buil
         speed, keeps = min(speed, *held), False  # which is as fast as it ever is
     elif ego.speed is None:  # others are timed by it, so that it is wanted of every ego
         ledger.take("road.speed_limit")
-        usual = wanted_by(situation)
-        why = "drives show what was said only then" if ledger.slow else f"{3.6 * usual:.0f} km/h cannot be built here"
-        ledger.assume(_drives_at(speed, usual, why, found.route if keeps else None))
+        ledger.assume(_drives_at(speed, ledger, found.route if keeps else None))
     wanted = f", with wantedSpeed {fastest(ego.does, speed):.4g}" + (", with keepsLimits True" if keeps else "")
-    longer = 0.5 * (body.length - LIMITS[CAR].length)  # its nose is so much nearer than a car's
     stands = bool(ego.does) and ego.does[0].act in FROM_A_STAND
     at_line = stands and junction
+    longer = 0.5 * (body.length - LIMITS[CAR].length) + _queue(situation, waits=at_line)  # its nose is so much nearer
     ledger.situation = situation = at_own_speeds(situation, speed)
     _over_in_time(ledger, found.route)
     stop = found.route.eventAt - (LINE + longer if junction else 0.0)
@@ -150,6 +150,16 @@ def ego_of(ledger: Ledger, found: Found, at_most: float = NOMINAL.speed) -> Buil
     )
 
 
+def _queue(situation: Situation, *, waits: bool) -> float:
+    """How much road [m] those take who stand at the line before an ego that waits there, too."""
+    ahead = (one for one in situation.others if one.starts.where is Where.AHEAD and one.starts.distance is None)
+    return sum(
+        (one.count or 2) * (situation.row_of(one).limits.length + ROOM)
+        for one in ahead
+        if waits and stands_first(one) and one.kind.moves is not Moves.WALKS and not is_still(one)
+    )
+
+
 def _over_in_time(ledger: Ledger, route: Route) -> None:
     """Take within what way the ego is to be in the next lane, by its deed or since its own lane ends then.
 
@@ -171,16 +181,18 @@ def _over_in_time(ledger: Ledger, route: Route) -> None:
         ledger.assume(f"the ego is in the next lane {over:.0f} m after it begins")
 
 
-def _drives_at(speed: float, usual: float, slower: str, kept: Route | None) -> str:
-    """What a speed that was chosen for the ego comes to, in words.
-
-    Args:
-        speed: What the ego wants [m/s].
-        usual: What an ego usually wants on such a road [m/s].
-        slower: Why it wants less, if it does.
-        kept: Its route, if it keeps the limits there.
-    """
-    drives, why = speed, f", since {slower}" if speed < usual - 0.01 else ""
+def _drives_at(speed: float, ledger: Ledger, kept: Route | None) -> str:
+    """What a speed [m/s] that was chosen for the ego comes to, in words; `kept` is its route, if it keeps limits."""
+    situation, drives, why = ledger.situation, speed, ""
+    usual = wanted_by(situation)
+    free = usual if backs(situation) else free_speed(situation)
+    if speed < usual - 0.01:
+        because = (
+            "drives show what was said only then" if ledger.slow else f"{3.6 * free:.0f} km/h cannot be built here"
+        )
+        why = f", since {because}"
+    elif usual < free - 0.01:
+        why = f", since others do not keep up with {3.6 * free:.0f} km/h"
     if kept is not None:
         way = kept.allowed(keeps_limits=True)[: kept.line.segment_at(kept.eventAt) + 1]
         if (most := float(way.max())) < speed - 0.01:

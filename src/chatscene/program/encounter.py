@@ -27,7 +27,7 @@ from chatscene.terms.episode import Episode, Track
 from chatscene.terms.polyline import Polyline
 from chatscene.terms.route import Route
 from chatscene.terms.situation import Other, Situation
-from chatscene.terms.vocabulary import LOSES, Heads, Tempo, acts_of
+from chatscene.terms.vocabulary import LOSES, Act, Heads, Tempo, acts_of
 
 LONGEST = 3.0  # [s] at most between the two at a place, or until two who both drive on would touch
 EVERY = 1.0  # [s] after which an ego that goes on evenly is followed anew
@@ -41,8 +41,8 @@ LETS_BY = acts_of(Tempo.WAITS, Heads.OUT, Heads.OFF, Heads.EDGE)
 """What is done so that there is no encounter."""
 STAYS = acts_of(Tempo.STANDS, Tempo.PAUSES, Tempo.LIES, Heads.BACK)
 """What alone brings nobody into the ego's way who is not in it."""
-COMES_NEARER = LOSES | acts_of(Tempo.STANDS, Tempo.BACKS)
-"""What brings whoever is ahead in the ego's own lane nearer to it."""
+COMES_NEARER = LOSES | acts_of(Tempo.BACKS)
+"""What brings whoever is ahead in the ego's own lane nearer to it; who stands there is so unless it sets off again."""
 
 
 Flags = NDArray[np.bool_]
@@ -153,7 +153,8 @@ def _must_meet(
     near = int(np.argmin(np.hypot(x - track.x[0], y - track.y[0])))
     against = math.cos(float(track.heading[0] - heading[near])) < 0.0
     ahead = along[near] > 0.0
-    return bool(ahead) and (against or bool(acts & COMES_NEARER))
+    stays = bool(one.does) and one.does[-1].act is Act.STAND
+    return bool(ahead) and (against or stays or bool(acts & COMES_NEARER))
 
 
 def _on_its_way_in(way: Way, ego: Track, track: Track, route: Route) -> bool:
