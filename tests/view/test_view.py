@@ -410,8 +410,8 @@ def test_another_process_goes_on_from_where_a_talk_stood_and_hears_no_line_again
         done.append(("run", str(folder)))
         raise SettingsError("the disk is full")
 
-    monkeypatch.setattr("chatscene.talk.api.explain", explain)
-    monkeypatch.setattr("chatscene.talk.api.run", run)
+    monkeypatch.setattr("chatscene.talk.make.explain", explain)
+    monkeypatch.setattr("chatscene.talk.make.run", run)
     talk = Talk({}, {}, tmp_path)
     for line, kind in (
         ("a car ahead brakes", "shown"), ("at night", "edited"), ("in the rain", "edited"), ("undo", "undone"),
