@@ -7,10 +7,11 @@ from numpy.typing import NDArray
 
 from chatscene.read.learned.decoder import Written
 from chatscene.read.learned.evidence import quoted_of
-from chatscene.read.learned.sequence import path_of, steps_of
+from chatscene.read.learned.sequence import path_of
 from chatscene.read.learned.text import prepared
 from chatscene.situations.form import from_plain
 from chatscene.terms.reading import Verdict
+from making.reader.sequence import steps_of
 
 TEXT = "A small van, ahead of us, brakes."
 VAN = from_plain({"others": [{"id": "A", "kind": "van", "starts": {"where": "ahead"}, "does": [{"act": "brake"}]}]})

@@ -9,12 +9,13 @@ import pytest
 from hypothesis import given, settings
 
 from chatscene.read.learned.grammar import BEGIN, BEGUN, END, NAMES, Sort, grammar, places
-from chatscene.read.learned.sequence import situation_of, steps_of, verdict_of, with_plain_names
+from chatscene.read.learned.sequence import situation_of, verdict_of
 from chatscene.situations.faults import Malformed
 from chatscene.terms.reading import Verdict
 from chatscene.terms.situation import Other, Situation, Start
 from chatscene.terms.vocabulary import Act, UserKind, Where, Word
 from drawn import situations
+from making.reader.sequence import steps_of, with_plain_names
 
 
 def in_the_order_of_the_table(situation: Situation) -> Situation:
