@@ -144,6 +144,19 @@ def test_who_turns_round_beside_an_ego_that_has_gone_by_meets_nobody(begins: flo
     assert shown("encounter.adversary", rounds, episode(track)) is meets
 
 
+def test_what_the_ego_does_for_somebody_whom_it_does_not_meet_is_not_shown_but_no_reason_to_refuse() -> None:
+    rounds = other(Where.AHEAD_BESIDE, Deed(act=Act.U_TURN), side=Side.RIGHT)
+    answers = Ego(does=(Deed(act=Act.SWERVE, when=When(after="adversary.u-turn")),))
+    said = Situation(ego=answers, others=(rounds,), contact=Contact(whom="adversary", happens=False))
+    late = episode(moving(1.5, -3.5, (20, 3.0, 0.0), (40, 3.0, 180.0), (100, 6.0, 180.0), speed=8.0))
+    y = np.interp(np.arange(len(late.ego_track.x)), (60, 70, 90), (0.0, 2.0, 0.0))
+    late = replace(late, tracks=(replace(late.ego_track, y=y), *late.tracks[1:]))
+    judged = judge(said, late, ROUTE)
+    missed = [one.partition(":")[0] for one in failures(judged)]
+    assert missed == ["ego.does.0.act", "contact.happens", "encounter.adversary"]
+    assert not failures(judged, met=False)
+
+
 @pytest.mark.parametrize(("where", "asked"), [(Where.ON_RAMP, True), (Where.BESIDE, False)])
 def test_who_stops_in_front_stops_before_the_ego_has_gone_by(where: Where, asked: bool) -> None:
     stops = one(other(where, Deed(act=Act.STOP)))

@@ -33,6 +33,7 @@ class Finding:
         at: When it is seen [s]; None for what has no moment.
         cut: Whether a contact cut it short, although it was to be seen to its end.
         late: How much too late somebody is to meet the ego; None of whatever else is told.
+        unmet: Whether it is not shown only since two do not meet of whose meeting it was to come.
     """
 
     path: str
@@ -41,6 +42,7 @@ class Finding:
     at: float | None = None
     cut: bool = False
     late: Late | None = None
+    unmet: bool = False
 
 
 def not_judged(path: str) -> Finding:
@@ -57,5 +59,5 @@ def failures(findings: Iterable[Finding], *, met: bool = True) -> tuple[str, ...
             drives that are right in all three.
     """
     searched = ("encounter.", "unasked.", "contact.happens")
-    counted = (one for one in findings if met or not one.path.startswith(searched))
+    counted = (one for one in findings if met or not (one.unmet or one.path.startswith(searched)))
     return tuple(f"{one.path}: {one.told}" for one in counted if one.shown is False)

@@ -132,7 +132,7 @@ class _Judge:
         missed = {who for about, _, who in ways if about == "encounter"}
         for one in found:
             if missed and one.shown and (whom := self._comes_of(one.path)) in missed:
-                yield replace(one, shown=False, told=f"{one.told}, but the ego does not meet {whom}")
+                yield replace(one, shown=False, unmet=True, told=f"{one.told}, but the ego does not meet {whom}")
             else:
                 yield one
 
