@@ -32,8 +32,8 @@ def test_a_distance_from_which_nobody_meets_the_ego_is_left_out_and_told() -> No
     made = whole.as_shown
     assert made.situation.others[0].starts.where == TOO_NEAR.others[0].starts.where
     assert not made.unseen
-    assert any("so no drive shows encounter.A" in one for one in made.told_first)
-    assert "so no drive shows" in made.record.text
+    assert any("with it, no drive shows encounter.A" in one for one in made.told_first)
+    assert "with it, no drive shows" in made.record.text
     assert whole.program.source == made.rehearsed.program.source
 
 

@@ -40,7 +40,7 @@ def shown_in_part(situation: Situation, built: Built) -> tuple[Situation, Built]
             tries -= 1
             if (found := _without(less, program, unseen)) is not None:
                 told = "; ".join(f"{path}: {seen}" for path, seen in unseen.items() if path not in found[1])
-                left_out.append(f"{less.told} (so no drive shows {told})")
+                left_out.append(f"{less.told} (with it, no drive shows {told})")
                 made, (program, unseen) = less.situation, found
                 break
             if not tries:
