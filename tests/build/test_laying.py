@@ -223,3 +223,20 @@ def test_who_turns_round_from_the_edge_of_a_divided_road_does_so_over_the_median
     built = made("kerb", "u-turn", side="right", road={"kind": "motorway"}, ego={"speed": "70 mph"})
     assert built.map.startswith("road:2+2,along=motorway,median=4")
     assert "A turns through a gap in the median, which is not drawn" in built.assumed
+
+
+def test_a_motorway_is_laid_with_a_ramp_where_no_packaged_one_has_as_many_lanes() -> None:
+    road = {"kind": "motorway", "lanes": 2, "has": ["on-ramp"]}
+    built = made("ahead", "brake", road=road)
+    assert built.map.startswith("road:2+2,along=motorway,median=4,ramp=on")
+    assert "site='past-on-ramp'" in built.program.source
+    assert built.lacking == ()
+
+
+def test_an_on_ramp_may_be_lanes_away_from_the_ego_but_who_comes_from_it_is_beside() -> None:
+    road = {"kind": "motorway", "ego_lane": 2, "has": ["on-ramp"]}
+    built = made("ahead", "brake", road=road)
+    assert "lane=3, site='past-on-ramp'" in built.program.source
+    assert built.lacking == ()
+    with pytest.raises(NotBuilt, match="the ego's lane is not the one beside the ramp's"):
+        made("on-ramp", "merge", road=road)

@@ -37,6 +37,8 @@ EVERY = (
     "road:2+1,cycle-lane,ridden,crosswalk",
     "road:1+1,tram,driveway=left",
     "road:3+3,along=motorway,median=4,drop-left",
+    "road:2+2,along=motorway,median=4,ramp=on,length=1500",
+    "road:3+3,along=motorway,median=4,ramp=off,length=1500",
     "road:2+1,cycle-lane,ridden,junction=four,signs=signal",
 )
 STRAIGHT = RouteQuery(maneuver=Maneuver.STRAIGHT, place=Place.ROAD)

@@ -6,7 +6,17 @@ from collections.abc import Iterator
 
 from chatscene.build.arriving import LATEST, way_through
 from chatscene.build.asked import stands_first
-from chatscene.build.place import NEXT_LANE, Found, arm_of, beside_lane, rides_at_edge, ring_arms, way_of
+from chatscene.build.place import (
+    NEXT_LANE,
+    Found,
+    arm_of,
+    beside_lane,
+    beside_ramp,
+    leaves_by_ramp,
+    rides_at_edge,
+    ring_arms,
+    way_of,
+)
 from chatscene.build.relations import said_speed
 from chatscene.build.screening import from_its_lane
 from chatscene.errors import MapError
@@ -19,6 +29,8 @@ from chatscene.terms.situation import Situation
 from chatscene.terms.vocabulary import Where
 from chatscene.world.places import lanes_beside, trafficFrom, wayOf
 
+BESIDE_RAMP = 2  # from the outermost, which is the ramp's, of the lane beside that
+
 
 def lacking_for(situation: Situation, found: Found) -> str | None:
     """What a place lacks for somebody who is to be there, in words; None if it lacks nothing."""
@@ -27,6 +39,9 @@ def lacking_for(situation: Situation, found: Found) -> str | None:
         for one in situation.others:
             if (arms := ring_arms(one, found.sides)) and not there & set(arms):
                 return f"no lane from the {' or '.join(arms)} meets the ego's route in the roundabout"
+    by_ramp = (one for one in situation.others if one.starts.where is Where.ON_RAMP or leaves_by_ramp(situation, one))
+    if beside_ramp(found.query) and found.query.get("lane", 2) > BESIDE_RAMP and any(by_ramp):
+        return "the ego's lane is not the one beside the ramp's"
     if (side := _no_lane(situation, found)) is not None:
         return f"no lane of the ego's direction lies to its {side}"
     arms = [(one, arm) for one in situation.others if (arm := arm_of(situation, one, found.sides))]

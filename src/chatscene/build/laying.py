@@ -17,12 +17,13 @@ from chatscene.build.place import (
     ending_lane,
     in_bus_lane,
     in_cycle_lane,
+    leaves_by_ramp,
     only_side_signs,
     rides_at_edge,
     turns_in,
 )
 from chatscene.errors import MapError
-from chatscene.maps.laid import LENGTH, LONGEST, Along, Bend, LaidRoad, Meets, Sides, Signs
+from chatscene.maps.laid import LENGTH, LONGEST, Along, Bend, LaidRoad, Meets, Ramp, Sides, Signs
 from chatscene.maps.limits import KMH
 from chatscene.terms.amount import Speed
 from chatscene.terms.situation import Other, Situation
@@ -44,9 +45,8 @@ PASSABLE = 2.6  # [m], each of two lanes in which cars pass each other at a cree
 HARD_SHOULDER = 3.0  # [m]
 BENDS_AT = 2.5  # [m/s²] across, that a bend takes whose radius was not said
 OUTSIDE_TOWN = 60 * KMH  # [m/s], from which on a road of which no setting was said lies outside a town
-_UNLAID_KINDS = frozenset((RoadKind.ROUNDABOUT, RoadKind.RAMP, RoadKind.PARKING_LOT, RoadKind.RAIL_CROSSING))
-_UNLAID = frozenset((Feature.HILL, Feature.ON_RAMP, Feature.OFF_RAMP))
-_UNLAID_PLACES = frozenset((Where.ON_RAMP, Where.OFF_RAMP))
+RAMPS_LONG = 1500  # [m] of a motorway with a ramp in its middle
+_UNLAID_KINDS = frozenset((RoadKind.ROUNDABOUT, RoadKind.PARKING_LOT, RoadKind.RAIL_CROSSING))
 _OF_SETTING = {Setting.TOWN: Along.TOWN, Setting.RESIDENTIAL: Along.RESIDENTIAL, Setting.RURAL: Along.RURAL}
 _BESIDE_TOWN = frozenset((Feature.PARKED_CARS, Feature.PARKED_BOTH_SIDES, Feature.PARKING_PLACES, Feature.BUS_STOP))
 _BENDS = {RoadKind.CURVE: True, RoadKind.LEFT_CURVE: True, RoadKind.RIGHT_CURVE: False}
@@ -71,19 +71,21 @@ def roads_for(situation: Situation) -> Iterator[LaidRoad]:
 def _road_for(situation: Situation, *, rides: bool) -> LaidRoad | None:
     road, others = situation.road, situation.others
     places = {one.starts.where for one in others}
-    ramps = situation.ego.route in (EgoRoute.EXIT,) or bool(places & _UNLAID_PLACES)
-    if at_roundabout(situation) or road.kind in _UNLAID_KINDS or ramps or _UNLAID & {*road.has} - {Feature.HILL}:
+    ramps = [*_ramps(situation)]
+    if at_roundabout(situation) or road.kind in _UNLAID_KINDS or len(ramps) > 1:
         return None
+    ramp = next(iter(ramps), None)
     ahead = _ahead(situation)
     own = situation.road.lanes is None and (rides or in_bus_lane(situation))  # which is one that others need not have
     ahead = max(1, ahead - own)
     back = _back(situation, ahead)
-    along = _along(situation)
+    along = Along.MOTORWAY if ramp is not None else _along(situation)
     has = {*road.has}
     narrow = Feature.NARROW in has and ahead == 1
     junction = _meets(situation) if at_junction(situation) else None
     ends = ending_lane(situation) if junction is None else None
-    drop = ends is not None or (junction is None and situation.ego.route is EgoRoute.MERGE)
+    ends = ends if ramp is None else None  # else it is that of the ramp
+    drop = ends is not None or (junction is None and ramp is None and situation.ego.route is EgoRoute.MERGE)
     bay = junction is None and not drop and (Feature.BUS_BAY in has or Where.BUS_BAY in places)
     divided = bool(back) and (_is_divided(situation) or along is Along.MOTORWAY or ends is Side.LEFT)
     try:
@@ -106,12 +108,25 @@ def _road_for(situation: Situation, *, rides: bool) -> LaidRoad | None:
             driveway=_driveway(situation) if junction is None and not drop else None,
             drop=drop and ends is not Side.LEFT,
             drop_left=ends is Side.LEFT,
+            ramp=ramp,
             junction=junction,
             signs=_signs(situation) if junction is not None else None,
-            length=_length(situation, junction=junction is not None),
+            length=max(_length(situation, junction=junction is not None), RAMPS_LONG if ramp is not None else 0),
         )
     except MapError:  # what was said of it does not go together
         return None
+
+
+def _ramps(situation: Situation) -> Iterator[Ramp]:
+    """Which ramps the road has, since they were said, or somebody comes from one or leaves by one."""
+    road, route, others = situation.road, situation.ego.route, situation.others
+    by_ramp = route is EgoRoute.MERGE and (road.kind is RoadKind.MOTORWAY or Feature.LANE_DROP not in road.has)
+    places = {one.starts.where for one in others}
+    if by_ramp or Feature.ON_RAMP in road.has or Where.ON_RAMP in places or road.kind is RoadKind.RAMP:
+        yield Ramp.ON
+    leaves = any(leaves_by_ramp(situation, one) for one in others)
+    if route is EgoRoute.EXIT or Feature.OFF_RAMP in road.has or Where.OFF_RAMP in places or leaves:
+        yield Ramp.OFF
 
 
 def _ahead(situation: Situation) -> int:

@@ -39,6 +39,9 @@ _BACK = 10  # by which the id of a street is greater that leads the other way, w
 _KERB = 6.0  # [m] between the lanes of a crossing road and where the arms of a junction end
 _DROPS = 80.0  # [m] over which a lane tapers out
 _BUS = 65.0  # [m] of a bay for buses
+_NOSE, _AT_NODE = 80.0, 5.0  # [m] beside a ramp in which the hard shoulder gives way; to where the two part or meet
+_WITH_LANE = 330.0  # [m] of the lane for those who come from a ramp, or leave by it
+_RAMP_LONG, _RAMP_TURN, _RAMP_RADIUS = 400.0, math.radians(12), 400.0  # [m], [rad], [m]
 
 
 class Along(StrEnum):
@@ -74,6 +77,13 @@ class Signs(StrEnum):
     YIELD = "yield"  # on the road itself
     SIDE_STOP = "side-stop"
     SIDE_YIELD = "side-yield"
+
+
+class Ramp(StrEnum):
+    """Which ramp a motorway has ahead, in its middle."""
+
+    ON = "on"
+    OFF = "off"
 
 
 @dataclass(frozen=True, slots=True)
@@ -116,6 +126,7 @@ class LaidRoad:
         driveway: On which side a driveway leads off its middle.
         drop: Whether its outermost lane ends before its middle.
         drop_left: Whether its innermost lane does, of a divided road.
+        ramp: Which ramp it has ahead, with a lane beside the others that leads to it or ends beyond it.
         junction: In its middle: of three arms, on which side the third is.
         signs: What rules the junction.
         length: [m]
@@ -139,6 +150,7 @@ class LaidRoad:
     driveway: Sides | None = None
     drop: bool = False
     drop_left: bool = False
+    ramp: Ramp | None = None
     junction: Meets | None = None
     signs: Signs | None = None
     length: int = LENGTH
@@ -180,12 +192,19 @@ class LaidRoad:
             (self.junction is not None and not self.back, "a junction is on a road of two directions"),
             (self.drops and (self.ahead < 2 or self.bend is not None or self.junction is not None), _DROP),
             (self.drops and bool(taken), "nothing else lies along a road of which a lane ends"),
+            (self.ramp is not None and self.length < 1000, "a motorway with a ramp is 1000 m long at least"),
+            (self.ramp is not None and not (self._plain() and self.along is Along.MOTORWAY and self.median), _RAMP),
             (self.drop_left and (self.drop or not self.median), "one lane ends, and the innermost into a median"),
             (self.bus_bay and self.parking is not None, "one parks beside no road that has a bay for buses"),
             (self.driveway is not None and self.junction is not None, "a driveway leads off between junctions"),
             (radius <= self._inside(), "what lies inside its bend is wider than the bend's radius"),
             (self.bus_bay and (self.bend is not None or self.junction is not None), "a bay lies on a straight road"),
         )
+
+    def _plain(self) -> bool:
+        """Whether it is straight, with nothing along or in it."""
+        taken = self.parking or self.crosswalk or self.bus_bay or self.driveway or self.bus_lane or self.ridden
+        return not (taken or self.bend or self.junction or self.drops)
 
     @property
     def drops(self) -> bool:
@@ -212,6 +231,7 @@ class LaidRoad:
         return PREFIX + ",".join(said)
 
 
+_RAMP = "a ramp is on a straight motorway with a median, and nothing else along it"
 _DROP = "a lane ends beside another, on a straight road without a junction"
 
 
@@ -230,6 +250,7 @@ _READ: Mapping[str, Callable[[str], Any]] = {
     "bend": _bend,
     "driveway": Sides,
     "junction": Meets,
+    "ramp": Ramp,
     "signs": Signs,
     "length": int,
 }
@@ -339,7 +360,7 @@ def _streets(road: LaidRoad) -> tuple[Street, ...]:
         return _meeting(road)
     a, corner, b, length = _line(road)
     parts = _directions(road, (a, corner, b), length)
-    return tuple(part for street in parts for part in (_dropping(road, street) if street.id == 1 else (street,)))
+    return tuple(part for street in parts for part in (_changing(road, street) if street.id == 1 else (street,)))
 
 
 def _line(road: LaidRoad) -> tuple[_Point, _Point | None, _Point, float]:
@@ -434,6 +455,53 @@ def _one_side(street: Street, length: float, *, turned: bool) -> Street:
     )
     ways = tuple(replace(one, right=True) for one in street.driveways if one.right is not turned)
     return replace(street, bays=bays, driveways=ways)
+
+
+def _changing(road: LaidRoad, street: Street) -> tuple[Street, ...]:
+    """A street of which the lanes change on the way, in parts that follow each other."""
+    return _dropping(road, street) if road.ramp is None else _with_ramp(road, street)
+
+
+def _with_ramp(road: LaidRoad, street: Street) -> tuple[Street, ...]:
+    """The carriageway ahead with a ramp at its middle, and a lane that leads to it or that ends beyond it."""
+    assert street.start_at is not None and street.end_at is not None
+    lane, y = street.lane, street.start_at[1]
+    edge = y - street.lanes * lane
+    node = Node(id=101, x=0.0, y=y, control=Control.NONE)
+    leads = replace(street, lanes=1, sidewalk=0.0, median=0.0, nose=(0.0, 0.0), via=())
+    aside = (_RAMP_LONG * math.cos(_RAMP_TURN), _RAMP_LONG * math.sin(_RAMP_TURN))
+    if road.ramp is Ramp.ON:
+        joint = (_WITH_LANE + 10.0, y)
+        ramp = replace(
+            leads,
+            id=5,
+            end=node,
+            start_at=(-_NOSE - aside[0], edge - aside[1]),
+            via=((-_NOSE, edge, _RAMP_RADIUS),),
+            end_at=(-_AT_NODE, edge),
+        )
+        before = replace(street, end=node, end_at=(-_AT_NODE, y), nose=(0.0, _NOSE))
+        beside = replace(street, id=3, start=node, end=4, start_at=(_AT_NODE, y), end_at=joint, lanes=street.lanes + 1)
+        length = joint[0] - _AT_NODE
+        return (
+            ramp,
+            before,
+            replace(beside, ceases=(length - 80.0, length - 10.0)),
+            replace(street, id=4, start=3, start_at=joint),
+        )
+    joint = (-_WITH_LANE - 10.0, y)
+    ramp = replace(
+        leads,
+        id=5,
+        start=node,
+        start_at=(_AT_NODE, edge),
+        via=((_NOSE, edge, _RAMP_RADIUS),),
+        end_at=(_NOSE + aside[0], edge - aside[1]),
+    )
+    before = replace(street, end=3, end_at=joint)
+    beside = replace(street, id=3, start=1, end=node, start_at=joint, end_at=(-_AT_NODE, y), lanes=street.lanes + 1)
+    beyond = replace(street, id=4, start=node, start_at=(_AT_NODE, y), nose=(_NOSE, 0.0))
+    return ramp, before, replace(beside, begins=(10.0, 80.0)), beyond
 
 
 def _dropping(road: LaidRoad, street: Street) -> tuple[Street, ...]:

@@ -32,7 +32,7 @@ from chatscene.maps.sites import AT_JUNCTIONS, routes_at
 from chatscene.terms.nouns import with_article
 from chatscene.terms.polyline import Polyline
 from chatscene.terms.route import Beside, Equipment, Route, RouteQuery
-from chatscene.terms.scenario import BaseScenario, Control, Maneuver, Place, includes
+from chatscene.terms.scenario import BaseScenario, Control, Maneuver, Place, Site, includes
 
 APPROACHES = (42.0, 36.0, 48.0, 30.0)  # [m] from the start to the junction's entry; the first where possible
 EXIT = 45.0  # [m] driven after the junction
@@ -202,6 +202,7 @@ def _at_site(network: Any, map_name: str, query: RouteQuery, variant: int) -> It
         approach=query.approach,
         lanes_same_way=query.lanes_same_way,
         lane_beside=query.lane_beside,
+        lane=query.lane if query.site in (Site.PAST_ON_RAMP, Site.PAST_OFF_RAMP) else None,
     )
     known = kept(network, "_at_sites", lambda _: dict[tuple[str, RouteQuery, int], tuple[_Candidate, ...]]())
     if (map_name, way, variant) not in known:

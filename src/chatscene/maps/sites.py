@@ -77,7 +77,7 @@ def routes_at(network: Any, map_name: str, query: RouteQuery, variant: int) -> I
     elif site is Site.LANE_DROP:
         ways = _out_of_ending_lanes(network, query.maneuver, variant, further)
     elif site is Site.PAST_ON_RAMP or site is Site.PAST_OFF_RAMP:
-        ways = _past_ramps(network, site, variant, further)
+        ways = _past_ramps(network, query, variant, further)
     else:
         ways = _at_ramps(network, query, variant, further)
     for group, maneuver, line, lanes, event_at, junction in ways:
@@ -246,14 +246,15 @@ def _off(network: Any, way: Any, query: RouteQuery, variant: int, further: float
         yield way.startLane.uid, maneuver, line, lanes, level - start, None
 
 
-def _past_ramps(network: Any, site: Site, variant: int, further: float) -> Iterator[_Way]:
-    """Straight on in the lane beside the one that comes from a ramp or leads into one."""
+def _past_ramps(network: Any, query: RouteQuery, variant: int, further: float) -> Iterator[_Way]:
+    """Straight on in the lane beside the one that comes from a ramp or leads into one, or in one that is asked for."""
     runs = lane_runs(network)
-    if site is Site.PAST_ON_RAMP:
+    over = 1 if query.lane is None or query.lane < 0 else query.lane - 1
+    if query.site is Site.PAST_ON_RAMP:
         for way in ramp_ways(network, JunctionKind.MERGE):
             start = BEYOND[variant]
-            beside = neighbour(runs[way.endLane.uid], start, 1)
-            if beside is None or opposes(way.endLane, beside):
+            beside = _lanes_over(network, runs[way.endLane.uid], start, over)
+            if beside is None:
                 continue
             run = runs[beside.uid]
             end = min(start + (MAIN + OVER) * further, run.line.length)
@@ -263,8 +264,8 @@ def _past_ramps(network: Any, site: Site, variant: int, further: float) -> Itera
         return
     for way in ramp_ways(network, JunctionKind.DIVERGE):
         leading = runs[way.startLane.uid]
-        beside = neighbour(leading, leading.line.length - 1.0, 1)
-        if beside is None or opposes(way.startLane, beside):
+        beside = _lanes_over(network, leading, leading.line.length - 1.0, over)
+        if beside is None:
             continue
         on = [m for m in way.intersection.maneuvers if m.startLane.uid == beside.uid]
         if not on:
@@ -287,6 +288,18 @@ def _past_ramps(network: Any, site: Site, variant: int, further: float) -> Itera
                 ahead,
                 None,
             )
+
+
+def _lanes_over(network: Any, run: LaneRun, at: float, over: int) -> Any:
+    """The lane of the same direction so many lanes to the left of a run at an arc length [m]; None if there is none."""
+    lane, point = None, run.line.point_at(at)
+    for _ in range(over):
+        lane = neighbour(run, at, 1)
+        if lane is None or opposes(run.lane_at(at), lane):
+            return None
+        run = lane_runs(network)[lane.uid]
+        at = run.line.project(*point)[0]
+    return lane
 
 
 def _out_of_ending_lanes(network: Any, maneuver: Maneuver, variant: int, further: float) -> Iterator[_Way]:
