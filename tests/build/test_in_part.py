@@ -98,3 +98,9 @@ def test_all_facts_that_a_refusal_names_are_left_out_at_once() -> None:
     made, _ = build_in_part(said)
     assert made.evidence.unbuilt == ("ego.does.1.distance: 2 m", "ego.does.1.lateral.clearance: 1.5 m")
     assert all(one in str(refused.value) for one in made.evidence.unbuilt)
+
+
+def test_what_was_left_out_and_is_stated_then_is_told_no_more() -> None:
+    made, _ = build_in_part(situation({"act": "brake", "acceleration": "30 m/s²"}))
+    assert not with_fact(made, "others.A.does.0.acceleration", "6 m/s²").evidence.unbuilt
+    assert with_fact(made, "ego.speed", "40 km/h").evidence.unbuilt == made.evidence.unbuilt

@@ -47,7 +47,7 @@ def still_evident(before: Situation, after: Situation) -> Evidence:
     """The evidence of a situation of which another was made: what changed was stated by whoever changed it.
 
     Words that were quoted for a whole stay with the facts in it that are as they were; those for which no fact is left
-    were read all the same, and stand for the name.
+    were read all the same, and stand for the name. What was left out and is stated now is left out no more.
     """
     was, now = dict(said_in(before)), dict(said_in(after))
     same = {path for path, value in was.items() if now.get(path) == value}
@@ -72,7 +72,8 @@ def still_evident(before: Situation, after: Situation) -> Evidence:
         quoted[NAMED] = GAP.join(dict.fromkeys(filter(None, (quoted.get(NAMED), *gone))))
     still = {path: (path,) if stays(path) else left_of(path, ()) for path in before.evidence.assumed}
     assumed = tuple(path for paths in still.values() for path in paths)
-    return replace(before.evidence, quoted=quoted, assumed=assumed)
+    unbuilt = tuple(one for one in before.evidence.unbuilt if one.partition(": ")[0] not in now)
+    return replace(before.evidence, quoted=quoted, assumed=assumed, unbuilt=unbuilt)
 
 
 def within(path: str, wholes: Container[str]) -> bool:
