@@ -82,11 +82,11 @@ def test_what_leaves_an_edited_run_says_its_edits(
     headers = [file.read_text() for file in tmp_path.glob("*.xosc")]
     assert headers
     assert all("(edited: from the left, and faster)" in one for one in headers)
-    captions: list[str] = []
+    captions, drawn = list[str](), animation.above
 
     def above(said: str) -> Image.Image:
         captions.append(said)
-        return animation.above(said)
+        return drawn(said)
 
     monkeypatch.setattr("chatscene.report.animation.above", above)
     write_gif(edited[0])
