@@ -78,6 +78,17 @@ def test_who_comes_in_our_lane_and_is_not_touched_goes_by_close(kind: str, seed:
 
 
 @pytest.mark.parametrize("seed", SEEDS)
+def test_who_cuts_in_and_is_not_touched_stays_in_our_lane(seed: int) -> None:
+    comes = car("A", "ahead-beside", deed("cut-in", to="right", distance="18 m"), side="left", speed="40 km/h")
+    episode = driven(others(comes, ego={"speed": "60 km/h"}, contact={"happens": False}), seed)
+    ego, other = episode.ego_track, track(episode, "A")
+    heading = ego.heading[0]
+    beside = (other.y - ego.y[0]) * np.cos(heading) - (other.x - ego.x[0]) * np.sin(heading)
+    assert beside[0] > 2.5
+    assert abs(beside[-1]) < 1.0
+
+
+@pytest.mark.parametrize("seed", SEEDS)
 def test_who_goes_by_in_our_lane_does_so_on_the_right_where_somebody_is_on_the_left(seed: int) -> None:
     comes = car("A", "oncoming-in-our-lane", deed("go-along"), kind="motorcycle")
     bus = {"id": "B", "kind": "bus", "starts": {"where": "beside", "side": "left"}}

@@ -420,7 +420,7 @@ class Phases:
         if not (misses(self.actor.ledger.situation, self.actor.one) or against):  # who is not met is not struck
             return phases
         drives = phases[-1].startswith(("DrivePath(", "PaceOnPath(")) and "{home}" not in phases[-1]
-        if drives and is_in_ours(self.actor, len(self.actor.deeds)):
+        if drives and self.actor.stand.meets is Meets.TOWARD and is_in_ours(self.actor, len(self.actor.deeds)):
             return goes_by(self.actor, phases)
         if not self.actor.walks or phases[-1] != MOVE:
             return phases
