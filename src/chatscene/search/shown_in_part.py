@@ -16,7 +16,7 @@ from chatscene.errors import ChatSceneError
 from chatscene.search.rehearsal import rehearsed_once, unseen_at_first
 from chatscene.terms.situation import Situation
 
-TRIES = 24
+TRIES = 12
 """Situations at most that are driven a few times."""
 _UNSEEN = re.compile(r"none of \d+ drives (?:shows ([\w.-]+)|(begins)): (.*)")
 _BEGINS = "begins"
