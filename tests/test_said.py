@@ -66,7 +66,7 @@ def test_a_sentence_that_the_tool_shows_is_read_and_climbs_the_ladder_unless_the
     understood = explain_text(text)
     assert isinstance(understood, Stated)
     simulator = load_simulator(resolve_map(understood.built.map), SimulationSettings())
-    check(understood.program, understood.situation, simulator, load_ego("rule-based"))
+    check(understood.program, understood.situation, simulator, load_ego("planner"))  # with whom programs are rehearsed
 
 
 @pytest.mark.parametrize(

@@ -52,7 +52,10 @@ def gone_by(one: Other, seen: Seen, done: Mapping[str, Act]) -> Finding | None:
     by = past(seen.ego, seen.track)
     for k, deed in enumerate(one.does):
         once = done.get(f"{one.id}.{k}")
-        if once is None or not _is_for_ego(one, deed):
+        goes_on = (
+            deed.act in acts_of(Tempo.SETS_OFF) and deed.when is None and any(was.act in ENDS for was in one.does[:k])
+        )
+        if once is None or goes_on or not _is_for_ego(one, deed):
             continue
         step = _tells(deed, once, seen)
         if by[step] > 0.0:
