@@ -251,7 +251,6 @@ _FILE = click.Path(path_type=Path, exists=True, dir_okay=False)
 @click.option("--edited", type=_FILE, multiple=True, help="Edits of situations, with what becomes of these.")
 @click.option("--again", default=0, show_default=True, help="Situations of the texts told in our own words as well.")
 @click.option("--sure", type=_FILE, multiple=True, help="Situations with texts, to fit how sure it may be.")
-@click.option("--harder", type=_FILE, multiple=True, help="The same, in which more is read wrongly.")
 @click.option("--epochs", default=8, show_default=True)
 @click.option("--minutes", default=1e9, help="After which no epoch begins.")
 @click.option("--seed", default=0, show_default=True)
@@ -262,7 +261,6 @@ _FILE = click.Path(path_type=Path, exists=True, dir_okay=False)
 @click.option("--out", type=click.Path(path_type=Path, file_okay=False), required=True)
 def main(
     told: tuple[Path, ...], drawn: tuple[Path, ...], edited: tuple[Path, ...], again: int, sure: tuple[Path, ...],
-    harder: tuple[Path, ...],
     epochs: int, minutes: float, seed: int, frozen: int, half: bool, threads: int, began: Path | None, out: Path,
 ) -> None:  # fmt: skip
     """Train the learned reader."""
@@ -278,7 +276,7 @@ def main(
     fit(learning, epochs=epochs, seed=seed, out=out, minutes=minutes, half=half)
     written(learning, out)
     if sure:
-        texts, right = calibrate(out / NAME, sure, harder)
+        texts, right = calibrate(out / NAME, sure)
         click.echo(f"of {texts} texts to fit how sure it may be {right} are read rightly")
 
 

@@ -3,18 +3,16 @@
 from __future__ import annotations
 
 import json
-import math
 import random
 from pathlib import Path
 
 import pytest
 
 from chatscene.read.learned.grammar import COPIED, grammar
-from chatscene.read.learned.trust import AS_IT_IS, signs_of_none, sure_of
 from chatscene.situations.form import from_plain
 from chatscene.terms.reading import Verdict
 from making.reader.texts import example, in_our_words, of_edits, of_told, situations_in
-from making.reader.trust import Judged, signs_weighed, trust_of
+from making.reader.trust import trust_of
 
 VAN = {"others": [{"id": "A", "kind": "van", "starts": {"where": "ahead"},
                    "does": [{"act": "brake", "acceleration": "6 m/s²"}]}]}  # fmt: skip
@@ -68,31 +66,11 @@ def test_an_edit_is_learned_behind_the_telling_and_comes_to_what_is_after_it(tmp
 def test_trust_is_as_often_right_as_it_says() -> None:
     rng = random.Random(0)
     said = [rng.random() for _ in range(4000)]
-    scale, offset = trust_of([(p, rng.random() < p, 1.0) for p in said])
+    scale, offset = trust_of([(p, rng.random() < p) for p in said])
     assert scale == pytest.approx(1.0, abs=0.1)
     assert offset == pytest.approx(0.0, abs=0.1)
-    lower, _ = trust_of([(p, rng.random() < 0.3, 1.0) for p in said])
+    lower, _ = trust_of([(p, rng.random() < 0.3) for p in said])
     assert lower < 0.2
-
-
-def test_a_sign_that_goes_with_being_wrong_is_learned_and_the_rest_is_left_as_it_is() -> None:
-    rng = random.Random(0)
-    texts: list[Judged] = []
-    for _ in range(3000):
-        share, lacks = rng.uniform(0.05, 0.95), float(rng.random() < 0.5)
-        right = rng.random() < (0.3 * share if lacks else share)
-        reading = [math.log(share), 0.0, 0.0, 0.0, lacks, 0.0, 0.0, 0.0]
-        texts.append(Judged([reading], [math.log(1 - share), 0.0, 0.0], 0 if right else 1))
-    trust = signs_weighed(texts)
-    assert trust["unread"] < -0.8
-    whole, lacking = (sure_of(trust, [[math.log(0.6), *signs]], [math.log(0.4), 0.0, 0.0]) for signs in (
-        [0.0] * 7, [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0]))  # fmt: skip
-    assert (whole[0], lacking[0]) == (pytest.approx(0.6, abs=0.06), pytest.approx(0.18, abs=0.06))
-
-
-def test_what_was_not_fitted_is_as_sure_as_its_sequences() -> None:
-    readings = [[math.log(p), 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0] for p in (0.6, 0.3)]
-    assert sure_of(AS_IT_IS, readings, signs_of_none((0.6, 0.3), 0.5)) == (pytest.approx(0.6), pytest.approx(0.3))
 
 
 def test_training_is_the_same_after_a_stop(tmp_path: Path) -> None:

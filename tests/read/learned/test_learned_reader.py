@@ -12,7 +12,7 @@ import pytest
 
 from chatscene.errors import SettingsError, SnippetError
 from chatscene.read.learned.decoder import WIDTH, Decoder, Written
-from chatscene.read.learned.reader import LearnedReader, found_of
+from chatscene.read.learned.reader import LearnedReader, ranked_of
 from chatscene.read.learned.text import prepared
 from chatscene.read.learned.weights import PACKAGED, load, save, trust_file
 from chatscene.read.quotes import not_in_words
@@ -95,9 +95,7 @@ def test_a_damaged_file_is_refused(tmp_path: Path) -> None:
         load(tmp_path / "old.npz")
 
 
-@pytest.mark.parametrize(
-    "trust", [None, "", "[]", '{"whole": {"likely": 1.0}}', '{"whole": [1.0, 0.0], "in parts": [1.0, 0.0]}']
-)
+@pytest.mark.parametrize("trust", [None, "", "[]", '{"whole": [1.0, 0.0]}', '{"whole": [1.0], "in parts": [1.0, 0.0]}'])
 def test_weights_without_how_sure_they_may_be_are_refused(trust: str | None, tmp_path: Path) -> None:
     shutil.copy(PACKAGED, tmp_path / "reader.npz")
     if trust is not None:
@@ -143,9 +141,9 @@ def test_what_leaves_a_fact_open_is_not_the_sum_of_all_that_say_it() -> None:
         return Written(steps, math.log(likely), (), ())
 
     read = prepared("a cyclist crosses from the left")
-    left, right = found_of(read, [written(0.1), written(0.5, side="left"), written(0.3, side="right")])
+    left, right = ranked_of(read, [written(0.1), written(0.5, side="left"), written(0.3, side="right")])
     assert (left.situation["A"].starts.side, right.situation["A"].starts.side) == (Side.LEFT, Side.RIGHT)
-    assert (left.likely, right.likely) == (pytest.approx(0.6), pytest.approx(0.3))
+    assert (left.probability, right.probability) == (pytest.approx(0.6), pytest.approx(0.3))
 
 
 @pytest.mark.parametrize(

@@ -79,19 +79,6 @@ def marked_in(read: Read, written: Written) -> Mapping[str, tuple[tuple[int, int
     return {path: tuple(spans[i][:2] for i in sorted(words)) for path, words in own.items()}
 
 
-_MAIN = (".kind", ".route", ".starts.where", ".starts.side", ".act", ".hidden_by")
-
-
-def how_marked(read: Read, written: Written) -> float:
-    """The log-odds of the likeliest word of a main fact, as the mean of these facts."""
-    likeliest: dict[str, float] = {}
-    for at, marks in enumerate(written.marks):
-        if written.steps[at].place and at and read.where:
-            likeliest.setdefault(path_of(written.steps, at), float(np.max(marks[1 : len(read.where) + 1])))
-    main = [odds for path, odds in likeliest.items() if path.endswith(_MAIN)]
-    return sum(main) / len(main) if main else 0.0
-
-
 def _beside(
     words: Sequence[int], names: frozenset[str], of_names: Mapping[int, set[str]], idle: Container[int]
 ) -> Iterator[int]:

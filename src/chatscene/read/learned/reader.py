@@ -12,13 +12,12 @@ from chatscene.read.blows import settled
 from chatscene.read.ego_named import owned_kind
 from chatscene.read.kinds import finer, is_named
 from chatscene.read.learned.decoder import Decoder, Written
-from chatscene.read.learned.evidence import how_marked, marked_in, quoted_of
+from chatscene.read.learned.evidence import marked_in, quoted_of
 from chatscene.read.learned.grammar import NAMES
 from chatscene.read.learned.narrator import DRIVES, MOST, ON_FOOT, SOMEBODY, SURE, clauses, of_somebody, told_by
 from chatscene.read.learned.numbers import lasts
 from chatscene.read.learned.sequence import path_of, situation_of, verdict_of
 from chatscene.read.learned.text import Read, prepared
-from chatscene.read.learned.trust import Trust, signs_of, signs_of_none, sure_of
 from chatscene.read.learned.weights import PACKAGED, load
 from chatscene.read.quotes import is_a_duty, spans_of, unread, without_words
 from chatscene.read.reader import check_english, check_text
@@ -75,88 +74,33 @@ class LearnedReader:
         """
         check_text(text)
         check_english(text)
-        heard = hear(text, self.weights)
-        if heard.verdict is Verdict.SITUATION and heard.found:
-            ranked = heard.ranked(load(self.weights).trust)
+        read = prepared(text)
+        written = written_of(read, self.weights)
+        verdicts = dict.fromkeys(Verdict, 0.0)
+        for one in written:
+            verdicts[verdict_of(one.steps)] += math.exp(one.likely)
+        on_foot = _tells_on_foot(read, ways_of(written), self.weights)
+        ranked = ranked_of(read, written, on_foot=on_foot, weights=self.weights)
+        tells = verdicts[Verdict.SITUATION] / sum(verdicts.values())
+        verdict = max(verdicts, key=lambda one: verdicts[one])
+        if verdict is not Verdict.SITUATION or not ranked:
+            refused = max((one for one in Verdict if one is not Verdict.SITUATION), key=lambda one: verdicts[one])
+            return SituationReading(text=text, reader=self.name, verdict=refused, tells=tells)
+        if on_foot and not (ranked := tuple(one for one in ranked if _is_met_on_foot(one.situation))):
             return SituationReading(
-                text=text,
-                reader=self.name,
-                verdict=Verdict.SITUATION,
-                ranked=ranked,
-                parts=_trusted(parts_read(ranked), *load(self.weights).trust_in_parts),
-                unread=unread(ranked[0].situation, text),
-                tells=heard.tells,
+                text=text, reader=self.name, verdict=Verdict.OUT_OF_REACH, reason=YOU_ON_FOOT, tells=tells
             )
-        you = heard.verdict is Verdict.SITUATION and heard.on_foot
+        trust = load(self.weights)
+        sure = _trusted(ranked, *trust.trust)
         return SituationReading(
             text=text,
             reader=self.name,
-            verdict=Verdict.OUT_OF_REACH if you else heard.refused,
-            reason=YOU_ON_FOOT if you else "",
-            tells=heard.tells,
+            verdict=Verdict.SITUATION,
+            ranked=sure,
+            parts=_trusted(parts_read(ranked), *trust.trust_in_parts),
+            unread=unread(sure[0].situation, text),
+            tells=tells,
         )
-
-
-@dataclass(frozen=True, slots=True)
-class Found:
-    """A situation that a text may tell, before it is known how sure it may be.
-
-    Attributes:
-        likely: The probability of all sequences that come to a situation with the same main facts, in [0, 1].
-        marked: How surely words are marked for its main facts, in log-odds.
-    """
-
-    situation: Situation
-    likely: float
-    marked: float
-
-
-@dataclass(frozen=True, slots=True)
-class Heard:
-    """What the networks say of a text.
-
-    Attributes:
-        tells: How likely it is that it tells a situation.
-        verdict: What it most likely is.
-        refused: What it most likely is if it tells none.
-        on_foot: Whether who tells it is on foot.
-        found: The situations that differ in the main, the likeliest first.
-    """
-
-    tells: float
-    verdict: Verdict
-    refused: Verdict
-    on_foot: bool
-    found: tuple[Found, ...]
-
-    @property
-    def signs(self) -> tuple[list[tuple[float, ...]], tuple[float, ...]]:
-        """The signs of each situation, and those that none is right; see `chatscene.read.learned.trust`."""
-        of_each = [signs_of(one.situation, one.likely, one.marked) for one in self.found]
-        return of_each, signs_of_none([one.likely for one in self.found], self.tells)
-
-    def ranked(self, trust: Trust) -> tuple[Ranked, ...]:
-        """The situations with how sure each is, the surest first."""
-        sure = zip(self.found, sure_of(trust, *self.signs), strict=True)
-        ranked = (Ranked(situation=one.situation, probability=p) for one, p in sure)
-        return tuple(sorted(ranked, key=lambda one: -one.probability))
-
-
-def hear(text: str, weights: Path) -> Heard:
-    """What the networks say of a text."""
-    read = prepared(text)
-    written = written_of(read, weights)
-    verdicts = dict.fromkeys(Verdict, 0.0)
-    for one in written:
-        verdicts[verdict_of(one.steps)] += math.exp(one.likely)
-    on_foot = _tells_on_foot(read, ways_of(written), weights)
-    return Heard(
-        tells=verdicts[Verdict.SITUATION] / sum(verdicts.values()),
-        verdict=max(verdicts, key=lambda one: verdicts[one]),
-        refused=max((one for one in Verdict if one is not Verdict.SITUATION), key=lambda one: verdicts[one]),
-        on_foot=on_foot and bool(ways_of(written)),
-        found=found_of(read, written, on_foot=on_foot, weights=weights),
-    )
 
 
 def written_of(read: Read, weights: Path) -> tuple[Written, ...]:
@@ -200,21 +144,21 @@ def ways_of(written: Sequence[Written]) -> tuple[Way, ...]:
     return tuple(Way(one, likely[one], first[one]) for one in sorted(likely, key=lambda one: -likely[one]))
 
 
-def found_of(
+def ranked_of(
     read: Read, written: Sequence[Written], *, on_foot: bool = False, weights: Path = PACKAGED
-) -> tuple[Found, ...]:
-    """The situations that differ in the main, the likeliest first, each told as the likeliest of its kind.
+) -> tuple[Ranked, ...]:
+    """The situations that differ in the main, the likeliest first.
 
-    Of who is on foot only those remain in which somebody on foot is met.
+    The probability of one is that of all sequences that come to a situation with the same main facts, of which it
+    is the likeliest.
     """
     told: dict[Way, float] = {}
     never = [kind for kind in _never_learned(weights) if is_named(kind, read.text)]
     for one in (_by_nouns(_by_grammar(way, read), read, never) for way in ways_of(written)):
         same = next((way for way in told if same_in_the_main(one.situation, way.situation)), one)
         told[same] = told.get(same, 0.0) + one.probability  # each counts for one of them
-    found = (Found(_evident(way, read, on_foot=on_foot), p, how_marked(read, way.written)) for way, p in told.items())
-    kept = [one for one in found if not on_foot or _is_met_on_foot(one.situation)]
-    return tuple(sorted(kept, key=lambda one: -one.likely))
+    ranked = (Ranked(situation=_evident(one, read, on_foot=on_foot), probability=p) for one, p in told.items())
+    return tuple(sorted(ranked, key=lambda one: -one.probability))
 
 
 @lru_cache(maxsize=2)

@@ -11,7 +11,7 @@ import json
 import zipfile
 import zlib
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
 from typing import Any
@@ -22,12 +22,11 @@ from chatscene.errors import SnippetError
 from chatscene.files.bounded import check_archive
 from chatscene.files.caches import cache_folder, keep, keep_latest, kept, only_mine, sealed
 from chatscene.read.learned.grammar import Place, Token
-from chatscene.read.learned.trust import AS_IT_IS, Trust
 
 NAME = "reader.npz"
 PACKAGED = Path(__file__).parent / NAME
-TrustInParts = tuple[float, float]
-PARTS_AS_THEY_ARE: TrustInParts = (1.0, 0.0)
+Trust = tuple[float, float]
+AS_IT_IS: Trust = (1.0, 0.0)
 _FILES = 4  # that are kept unpacked
 
 
@@ -49,8 +48,8 @@ class Weights:
     following: bytes
     tokens: tuple[Token, ...]
     places: tuple[Place, ...]
-    trust: Trust = field(default_factory=lambda: dict(AS_IT_IS))
-    trust_in_parts: TrustInParts = PARTS_AS_THEY_ARE
+    trust: Trust = AS_IT_IS
+    trust_in_parts: Trust = AS_IT_IS
 
 
 def trust_file(path: Path) -> Path:
@@ -77,7 +76,7 @@ def save(weights: Weights, path: Path) -> None:
 
 def save_trust(weights: Weights, path: Path) -> None:
     """Write how sure the reader may be, beside its weights."""
-    fitted = {"whole": dict(weights.trust), "in parts": weights.trust_in_parts}
+    fitted = {"whole": weights.trust, "in parts": weights.trust_in_parts}
     trust_file(path).write_text(f"{json.dumps(fitted, indent=2)}\n", encoding="utf-8")
 
 
@@ -95,14 +94,14 @@ def load(path: Path = PACKAGED) -> Weights:
         changes = arrays["changes"].tobytes()
         places = zip(arrays["at"].tolist(), [0, *ends[:-1]], ends, strict=False)
         fitted = json.loads(trust_file(path).read_text(encoding="utf-8"))
-        whole, (of_parts, added) = fitted["whole"], fitted["in parts"]
+        (scale, offset), (of_parts, added) = fitted["whole"], fitted["in parts"]
         return Weights(
             changes={at: changes[low:high] for at, low, high in places},
             text=arrays["text"].tobytes(),
             following=arrays["following"].tobytes(),
             tokens=tuple(_token(line) for line in str(arrays["tokens"]).split("\n")),
             places=tuple(str(arrays["places"]).split("\n")),
-            trust={name: float(whole[name]) for name in AS_IT_IS},
+            trust=(float(scale), float(offset)),
             trust_in_parts=(float(of_parts), float(added)),
         )
     except (OSError, ValueError, KeyError, TypeError, MemoryError, zipfile.BadZipFile, zlib.error) as error:
