@@ -215,7 +215,7 @@ class Actor:
         numbers, deeds = self.numbers, self.deeds
         ego, top = self.ego_speed, self.limits.fastest
         beside = speed_beside(self.ledger.situation, self.one, ego)
-        if beside is not None:
+        if beside is not None and top > 0.0:
             low, high, *_ = numbers.ranges["FAST"]  # than the traffic is
             numbers.narrow(
                 "FAST", *(min(max(*ends), top) for ends in ((low, FASTER[0] * ego), (high, FASTER[1] * ego)))

@@ -226,9 +226,9 @@ def _by_numbers(actor: Actor, k: int, steps: Steps) -> Steps:
         return BRAKES_TO
     if stops_before(actor, k):
         return DRIFTS_OVER
-    if deed.act is Act.OVERTAKE and then in _COMES_BACK and actor.stand.meets is Meets.ALONG:
+    passes = next((n for n, text in enumerate(steps.does) if "$AHEAD" in text), None)  # none by an ego that stands
+    if deed.act is Act.OVERTAKE and then in _COMES_BACK and actor.stand.meets is Meets.ALONG and passes is not None:
         way = "{beside}" if "{beside}" in steps.does[0] else ""
-        passes = next(n for n, text in enumerate(steps.does) if "$AHEAD" in text)
         does = (*steps.does[: passes + 1], eases(actor, k, way or "{p}"))
         return replace(steps, does=does, last=(), way=way)  # what comes then says how it comes back
     if deed.act is Act.BRAKE and across and deed.speed is not None:

@@ -120,6 +120,8 @@ def seconds_over(actor: Actor, k: int) -> tuple[str, float]:
         return f"{seconds:.3g}", seconds
     outside = 0.5 * (actor.limits.width + actor.ego_limits.width) / LANE
     along = next(n / 50 for n in range(51) if 1.0 - _share(n / 50) <= outside)
+    if f"PIECE_{k}" not in actor.numbers.ranges:  # whose row goes over by its wheel alone takes as long
+        _measure_piece(actor, k, takes)
     return f"{along * _pieces(takes[0]):.3g} * $PIECE_{k}", along * (0.5 * sum(takes) - LAGS)
 
 
@@ -143,10 +145,7 @@ def _over(actor: Actor, k: int, steps: Steps, line: str, takes: tuple[float, flo
         takes: The least and the most time [s].
         path: Of the fact that says so.
     """
-    low, high = takes
-    pieces = _pieces(low)
-    short, long = (max(0.1, one - LAGS) / pieces for one in (low, high))
-    actor.numbers.measure(f"PIECE_{k}", short, long, "s", "how long a piece of its way over takes", path)
+    pieces = _measure_piece(actor, k, takes, path)
     from_left = _goes_right(actor, k, line)
     sign = 1.0 if from_left else -1.0
     over = tuple(
@@ -154,6 +153,14 @@ def _over(actor: Actor, k: int, steps: Steps, line: str, takes: tuple[float, flo
         for n in range(pieces)
     )
     return replace(steps, does=(*over, *steps.does), last=(*over, *steps.last) if steps.last else ())
+
+
+def _measure_piece(actor: Actor, k: int, takes: tuple[float, float], path: str = "") -> int:
+    """Let a piece of somebody's way over take its share of some time [s], and return in how many it goes."""
+    pieces = _pieces(takes[0])
+    short, long = (max(0.1, one - LAGS) / pieces for one in takes)
+    actor.numbers.measure(f"PIECE_{k}", short, long, "s", "how long a piece of its way over takes", path)
+    return pieces
 
 
 def _pieces(least: float) -> int:

@@ -146,6 +146,8 @@ def _of_other(situation: Situation, one: Other, at: Path) -> Iterator[Fault]:
             yield Fault((*at, "does", k, "to"), f"it starts on the {deed.to}, so it can only move to the other side")
         if not one.kind.can(deed.act):
             yield Fault((*at, "does", k, "act"), f"{one.kind!s} {_WAYS[one.kind.moves]}, and cannot {deed.act!s}")
+        if deed.whom == one.id:
+            yield Fault((*at, "does", k, "whom"), f"nobody does this to itself: {deed.act!s}")
         yield from _of_deed(situation, deed, (*at, "does", k))
 
 
