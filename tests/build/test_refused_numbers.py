@@ -71,7 +71,6 @@ ELSEWHERE = [
     someone("arm", "go-straight", side="right", kind="bicycle") | {"ego": {"route": "right-turn"}},
     someone("arm", "go-straight") | {"ego": {"route": "lane-change-left"}},
     someone("oncoming", "turn-left") | {"ego": {"route": "left-turn"}},
-    someone("oncoming", "turn-left") | {"ego": {"route": "merge"}},
 ]
 
 

@@ -20,7 +20,7 @@ ELSEWHERE = {
     "build/rates.py": "how each is driven at a rate that was said",
     "build/own.py": "how far and how long the ego is steered by each",
     "build/parts.py": "what each is that somebody lets go of",
-    "build/possible.py": "from where a body is let go of",
+    "build/place.py": "which of those that stay in a lane are done before who is ahead turns off",
     "build/waiting.py": "what is seen of a body that was let go of",
     "interpret/situation_rows.py": "which act of a situation each act of a snippet is",
     "interpret/slots_of.py": "which act of a snippet each of these is, for an edit",

@@ -246,6 +246,8 @@ class Load(Car):
 class Prop(Lying, DrivingObject):
     regionContainedIn: everywhere
     position: _unplaced()
+    length: _PROPS[self.kind].length
+    width: _PROPS[self.kind].width
     isWalker: False
     label: ''
     role: ''

@@ -320,7 +320,7 @@ def test_a_doctor_says_what_a_server_has_and_how_its_scenes_end(settings: Simula
     assert [check.ok for check in found] == [True] * 4, found
     stands_in, world, twice, beside = (check.found for check in found)
     assert "not CARLA" in stands_in
-    assert "20 blueprints, 40 traffic lights" in world
+    assert "26 blueprints, 40 traffic lights" in world
     assert "0.000 m apart" in twice
     assert "1 of 1 end alike" in beside
 
