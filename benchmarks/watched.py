@@ -57,7 +57,7 @@ def _beside_ego(drawing: Mapping[str, Any], ego: Track) -> Iterator[tuple[float,
 
 def _led_over(drawing: Mapping[str, Any], ego: Track) -> Iterator[tuple[int, str]]:
     way = LineString(np.column_stack((ego.x, ego.y)))
-    yield from ((round(way.project(way.intersection(one).centroid)), "a crosswalk") for one in _zebras(drawing, way))
+    yield from ((round(way.project(one.centroid)), "a crosswalk") for one in _zebras(drawing, way))
     for line in drawing["stop_lines"]:
         if way.distance(drawn := LineString(line["points"])) < NEAR:
             yield round(way.project(drawn.centroid)), f"a stop line ({line['control']})"
