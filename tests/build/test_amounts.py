@@ -86,6 +86,11 @@ def test_a_place_across_the_road_is_said_by_one_number_of_who_can_be_there() -> 
         build(of("child", {"where": "roadside", "side": "right", "lateral": {"edge": "1 m"}}, "cross"))
 
 
+def test_who_is_wholly_in_line_with_the_ego_is_told_to_no_side() -> None:
+    made = build(of("car", {"where": "ahead", "lateral": {"overlap": "100 %"}}, "stand"))
+    assert not [one for one in made.assumed if "across the road" in one]
+
+
 def test_a_side_that_was_not_said_is_told() -> None:
     made = build(of("car", {"where": "ahead", "lateral": {"overlap": "50 %"}}, "stand"))
     assert "A is to the right across the road" in made.assumed

@@ -25,6 +25,7 @@ SIDEWAYS = 0.4  # [m] from the middle of its lane at least, who is said to be to
 _LEAST, _MOST = {"overlap": 0.05, "clearance": 0.2}, {"overlap": 0.95, "clearance": 2.0}
 """Where a bound of a number is left open: from and to; of a length within the lane, from 0 to its edge."""
 _FARTHEST = 10.0  # [m] beside the lanes that somebody is, where only a least was said
+ON_LINE = 0.01  # [m] from the middle of a lane up to which somebody is in it
 _MEANING = "how far to the left of the middle of its lane it is"
 
 
@@ -55,6 +56,8 @@ def placed(asked: Asked, stand: Stand) -> tuple[Stand, str]:
     if toward:
         low, high = -high, -low
     low = high = 0.5 * (low + high)  # a line is laid when a program is compiled, before numbers are drawn
+    if abs(low) < ON_LINE:
+        chosen = ""  # nothing is to a side, as where all of it is in line with the ego
     asked.numbers.measure("ASIDE", low, high, "m", _MEANING, f"others.{one.id}.starts.lateral")
     if stand.point == _ON_FOOT:
         return replace(stand, point="pointOn(egoRoute, level{i}, $ASIDE)"), chosen
