@@ -1,4 +1,4 @@
-"""What plans of maps are made of beside single streets: the ring of a roundabout, the bends of ramps, a car park."""
+"""What plans of maps are made of beside single streets and rings: the bends of ramps, a car park."""
 
 from __future__ import annotations
 
@@ -8,54 +8,6 @@ from dataclasses import dataclass, replace
 from chatscene.maps.writing.objects import Bay, Use
 from chatscene.maps.writing.reference_lines import Corner
 from chatscene.maps.writing.streets import Node, Street, Surroundings
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class RingDesign:
-    """A roundabout without its arms, one for each quarter.
-
-    Attributes:
-        island: Radius of its central island [m].
-        lane: Width of a lane that goes round [m].
-        lanes: How many go round.
-        flare: Radius by which one drives in and out of it, at the left edge of one's lane [m].
-    """
-
-    island: float
-    lane: float
-    lanes: int
-    flare: float
-
-    def streets(self, first: int, nodes: tuple[Node, Node, Node, Node], x: float, y: float) -> list[Street]:
-        """Four quarters of a ring, driven counter-clockwise.
-
-        Args:
-            first: Id of the first street, from the east to the north.
-            nodes: Its junctions in the east, north, west and south.
-            x: Its centre [m].
-            y: Its centre [m].
-        """
-        # From an arm to where the way in meets the island's circle.
-        flare = math.asin(self.flare / (self.island + self.flare))
-        quarters: list[Street] = []
-        for number in range(4):
-            begin, end = number * math.pi / 2 + flare, (number + 1) * math.pi / 2 - flare
-            middle, out = (begin + end) / 2, self.island / math.cos((end - begin) / 2)
-            quarters.append(
-                Street(
-                    id=first + number,
-                    start=nodes[number],
-                    end=nodes[(number + 1) % 4],
-                    lanes=self.lanes,
-                    back=0,
-                    start_at=(x + self.island * math.cos(begin), y + self.island * math.sin(begin)),
-                    end_at=(x + self.island * math.cos(end), y + self.island * math.sin(end)),
-                    via=((x + out * math.cos(middle), y + out * math.sin(middle), self.island),),
-                    lane=self.lane,
-                    sidewalk=0.0,
-                )
-            )
-        return quarters
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

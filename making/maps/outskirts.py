@@ -17,9 +17,10 @@ from dataclasses import replace
 from chatscene.maps.network import PACKAGED
 from chatscene.maps.writing.objects import Bay, Crosswalk, Use
 from chatscene.maps.writing.opendrive import write_opendrive
+from chatscene.maps.writing.rings import RingDesign
 from chatscene.maps.writing.streets import LANE, Node, Street, Surroundings
 from chatscene.terms.scenario import Control
-from making.maps.designs import RampDesign, RingDesign
+from making.maps.designs import RampDesign
 
 ISLAND = 20.0  # [m], radius of the roundabout's central island
 RING = RingDesign(island=ISLAND, lane=4.5, lanes=1, flare=16.0)

@@ -18,9 +18,10 @@ from dataclasses import replace
 from chatscene.maps.network import PACKAGED
 from chatscene.maps.writing.objects import Bay, Crosswalk, Use
 from chatscene.maps.writing.opendrive import write_opendrive
+from chatscene.maps.writing.rings import RingDesign
 from chatscene.maps.writing.streets import Node, Street, Surroundings
 from chatscene.terms.scenario import Control
-from making.maps.designs import CarParkDesign, RingDesign
+from making.maps.designs import CarParkDesign
 from making.maps.region_motorway import (
     DIVERGE_EAST,
     DIVERGE_WEST,

@@ -11,9 +11,11 @@ import pytest
 
 from chatscene.errors import MapError
 from chatscene.maps.junctions import control_before, junction_control
-from chatscene.maps.laid import Bend, LaidRoad, Meets, Sides, Signs, laid, laid_name, road_of
+from chatscene.maps.laid import laid, laid_name
+from chatscene.maps.layout import arms, roundabouts
 from chatscene.maps.loading import load_roads
 from chatscene.maps.network import check_given, name_of, resolve_map
+from chatscene.maps.road_spec import Bend, LaidRoad, Meets, Sides, Signs, road_of
 from chatscene.maps.routes import find_routes
 from chatscene.maps.survey import check_map
 from chatscene.terms.route import Equipment, RouteQuery
@@ -40,6 +42,17 @@ EVERY = (
     "road:2+2,along=motorway,median=4,ramp=on,length=1500",
     "road:3+3,along=motorway,median=4,ramp=off,length=1500",
     "road:2+1,cycle-lane,ridden,junction=four,signs=signal",
+    "road:1+1,junction=four,turn-lane=left,signs=signal",
+    "road:2+2,junction=right,turn-lane=right",
+    "road:1+1,crosswalk,junction=four,ring=1,diameter=18",
+    "road:1+1,junction=left,ring=1",
+    "road:2+2,median=4,crosswalk,junction=four,side=2,ring=2",
+    "road:3+3,junction=four,side=3,ring=3",
+)
+AT_ENDS = (
+    "road:1+1,junction=stem,signs=side-stop",
+    "road:1+1,along=rural,junction=fork,ring=1",
+    "road:1+1,junction=five",
 )
 STRAIGHT = RouteQuery(maneuver=Maneuver.STRAIGHT, place=Place.ROAD)
 
@@ -51,6 +64,7 @@ def test_a_road_is_laid_without_a_fault_and_its_name_says_it(name: str) -> None:
     assert path.read_text("utf-8") == laid(road_of(name))
     assert not check_map(path)
     query = RouteQuery(maneuver=Maneuver.STRAIGHT) if "junction" in name or "bend" in name else STRAIGHT
+    query = RouteQuery(maneuver=Maneuver.STRAIGHT, site=Site.ROUNDABOUT) if "ring" in name else query
     query = RouteQuery(maneuver=Maneuver.STRAIGHT, place=Place.CURVE, approach=250) if "bend" in name else query
     assert find_routes(load_roads(path), name, query)
 
@@ -76,6 +90,17 @@ def test_words_may_come_in_any_order_and_give_the_same_file() -> None:
         ("road:2+2,drop,parking=both", "nothing else lies along a road of which a lane ends"),
         ("road:1+1,bus-bay,parking=left", "one parks beside no road that has a bay for buses"),
         ("road:1+1,junction=four,driveway=left", "a driveway leads off between junctions"),
+        ("road:1+1,ring=1", "a roundabout is a junction of arms"),
+        ("road:1+1,junction=four,ring=4", "1 to 3 lanes go round"),
+        ("road:1+1,junction=four,diameter=30", "a diameter is that of a roundabout"),
+        (
+            "road:1+1,junction=four,ring=2,diameter=20",
+            "a circle of 20 m is too small for 2 lanes round it, and its arms",
+        ),
+        ("road:1+1,junction=five,ring=1,diameter=16", "a circle of 16 m is too small"),
+        ("road:1+1,junction=four,ring=1,signs=signal", "one gives way at a roundabout"),
+        ("road:1+1,side=2", "other arms are those of a junction"),
+        ("road:1+1,turn-lane=left", "a lane for who turns is on one side of a road"),
         ("road:6+6,lane=6,bend=left-30", "what lies inside its bend is wider than the bend's radius"),
         ("road:2+6,median=30,bend=left-40", "what lies inside its bend is wider than the bend's radius"),
     ],
@@ -173,3 +198,56 @@ def test_junctions_have_the_arms_that_were_said() -> None:
         road = LaidRoad(junction=meets, signs=Signs.SIGNAL)
         query = RouteQuery(maneuver=Maneuver.LEFT_TURN, place=place, control=Control.SIGNAL)
         assert find_routes(load_roads(resolve_map(str(road))), "x", query)
+
+
+@pytest.mark.parametrize("name", AT_ENDS)
+def test_a_road_that_ends_in_a_junction_leads_on_to_both_sides(name: str) -> None:
+    path = resolve_map(name)
+    assert not check_map(path)
+    roads: Any = load_roads(path)
+    for way in (Maneuver.LEFT_TURN, Maneuver.RIGHT_TURN):
+        query = RouteQuery(maneuver=way, site=Site.ROUNDABOUT if "ring" in name else None)
+        assert 1 in {roads.elements[one.lane_ids[0]].road.id for one in find_routes(roads, name, query)}
+
+
+def test_the_stem_of_a_t_alone_has_its_sign() -> None:
+    roads: Any = load_roads(resolve_map("road:1+1,junction=stem,signs=side-stop"))
+    (junction,) = roads.intersections
+    assert arms(junction) == 3
+    signed = {
+        m.startLane.road.id for m in junction.maneuvers if control_before(junction, m.startLane) is not Control.NONE
+    }
+    assert signed == {1}
+
+
+@pytest.mark.parametrize(
+    ("name", "of_arms", "lanes", "across"),
+    [
+        ("road:1+1,junction=four,ring=1,diameter=18", 4, 1, 17.0),  # less the shoulders
+        ("road:1+1,junction=four,ring=1", 4, 1, 35.0),
+        ("road:2+2,junction=fork,side=2,ring=2,diameter=50", 3, 2, 47.0),
+        ("road:1+1,junction=five,ring=1,diameter=30", 5, 1, 27.0),
+    ],
+)
+def test_a_roundabout_has_the_arms_lanes_and_size_that_were_said(
+    name: str, of_arms: int, lanes: int, across: float
+) -> None:
+    roads: Any = load_roads(resolve_map(name))
+    (ring,) = roundabouts(roads)
+    assert (len(ring.junctions), len(ring.tracks)) == (of_arms, lanes)
+    edges = [math.hypot(*point[:2]) for uid in ring.tracks[-1] for point in roads.elements[uid].rightEdge.points]
+    assert 2 * min(edges) == pytest.approx(across, abs=0.2)
+    assert 2 * max(edges) == pytest.approx(across, abs=0.2)
+    gives_way = RouteQuery(maneuver=Maneuver.RIGHT_TURN, site=Site.ROUNDABOUT, has=(Equipment.GIVE_WAY,))
+    assert len(find_routes(roads, name, gives_way)) >= of_arms - 1
+
+
+def test_who_turns_left_has_a_lane_of_its_own_that_leads_nowhere_else() -> None:
+    roads: Any = load_roads(resolve_map("road:1+1,junction=four,turn-lane=left"))
+    (junction,) = roads.intersections
+    ways = {(m.startLane.uid, m.type.name) for m in junction.maneuvers if m.startLane.road.id == 1}
+    lanes = sorted({lane for lane, _ in ways})
+    assert sorted([sorted(way for lane, way in ways if lane == one) for one in lanes]) == [
+        ["LEFT_TURN"],
+        ["RIGHT_TURN", "STRAIGHT"],
+    ]

@@ -31,10 +31,10 @@ from chatscene.build.place import (
 from chatscene.build.queries import queries_for
 from chatscene.build.screening import from_its_lane, side_hidden
 from chatscene.errors import MapError, NoSuchPlace, NoSuchRoad, NotBuilt, NothingBuilds
-from chatscene.maps.laid import Signs
 from chatscene.maps.loading import load_roads
 from chatscene.maps.network import resolve_map
 from chatscene.maps.open_road import BLOCKER_AT, CHANGE_AT, OPEN_ROAD, PASSING, SWING
+from chatscene.maps.road_spec import Signs
 from chatscene.maps.routes import APPROACHES, ELSEWHERE
 from chatscene.maps.sites import APPROACHED, PASSED, PAST
 from chatscene.situations.check import TO_A_SIDE

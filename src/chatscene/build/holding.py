@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 
 from chatscene.build.place import AT_CROSSWALKS, DROPS, Found, at_junction, beside_ramp
-from chatscene.maps.laid import Along, LaidRoad
 from chatscene.maps.limits import is_called
+from chatscene.maps.road_spec import Along, LaidRoad
 from chatscene.maps.settings import is_two_way, lies_in
 from chatscene.maps.sites import AT_JUNCTIONS
 from chatscene.terms.amount import Speed

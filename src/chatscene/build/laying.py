@@ -23,8 +23,8 @@ from chatscene.build.place import (
     turns_in,
 )
 from chatscene.errors import MapError
-from chatscene.maps.laid import LENGTH, LONGEST, Along, Bend, LaidRoad, Meets, Ramp, Sides, Signs
 from chatscene.maps.limits import KMH
+from chatscene.maps.road_spec import LENGTH, LONGEST, Along, Bend, LaidRoad, Meets, Ramp, Sides, Signs
 from chatscene.terms.amount import Speed
 from chatscene.terms.situation import Other, Situation
 from chatscene.terms.vocabulary import (

@@ -6,8 +6,8 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
-from chatscene.maps.laid import LaidRoad, is_laid, road_of
 from chatscene.maps.ring_ways import ROUND
+from chatscene.maps.road_spec import LaidRoad, is_laid, road_of
 from chatscene.situations.check import RULED_BY, TURNS
 from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.backing import backs

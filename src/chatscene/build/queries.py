@@ -30,8 +30,8 @@ from chatscene.build.place import (
     turns_in,
 )
 from chatscene.build.relations import AGAINST
-from chatscene.maps.laid import LaidRoad, is_laid, road_of
 from chatscene.maps.open_road import SHORT_ROAD
+from chatscene.maps.road_spec import LaidRoad, is_laid, road_of
 from chatscene.situations.check import TURNS
 from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.backing import BACKWARDS, backs

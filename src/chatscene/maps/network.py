@@ -26,9 +26,10 @@ from chatscene.files.bounded import is_there
 from chatscene.files.caches import cache_folder, only_mine
 from chatscene.maps.apart import read_apart, takes_seconds
 from chatscene.maps.carla_towns import carla_town, how_to_have
-from chatscene.maps.laid import DIGEST, PREFIX, is_laid, laid_file, laid_name
+from chatscene.maps.laid import DIGEST, laid_file, laid_name
 from chatscene.maps.left_hand import check_one_rule, keeps_left, lanes_on_map
 from chatscene.maps.plain_form import FORM, in_plain_form, without_namespace
+from chatscene.maps.road_spec import PREFIX, is_laid
 from chatscene.maps.scenic_parser import read_other_makers
 from chatscene.maps.unread import road_unread, why_unread
 from chatscene.terms.scenario import Site
