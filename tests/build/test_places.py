@@ -5,9 +5,11 @@ from __future__ import annotations
 from typing import Any
 
 import pytest
+from test_building import drive, simulator
 
 from chatscene.build.build import Built, build
 from chatscene.situations.form import from_plain
+from chatscene.terms.episode import Episode
 from chatscene.terms.vocabulary import UserKind
 
 CROSSES = {"id": "A", "kind": "child", "starts": {"where": "roadside", "side": "right"}, "does": [{"act": "cross"}]}
@@ -96,6 +98,42 @@ def _stop_of(built: Built) -> str:
 def test_a_bus_that_leaves_a_stop_leaves_it_from_beside_itself() -> None:
     ego = {"kind": "bus", "does": [{"act": "stand"}, {"act": "set-off"}]}
     assert _stop_of(made(PASSES, ego=ego, road=STOP)) == 'egoRoute, 2.875, "right", 3.6'
+
+
+def test_a_bus_that_comes_to_a_stop_has_it_on_its_own_side() -> None:
+    stop = _stop_of(made(CROSSES | {"starts": {"where": "roadside", "side": "left"}}, ego={"kind": "bus"}, road=STOP))
+    assert '"right"' in stop
+
+
+def test_who_passes_the_ego_and_halts_does_so_at_the_bus_stop() -> None:
+    halts = PASSES | {"does": [{"act": "overtake"}, {"act": "cut-in"}, {"act": "stop"}]}
+    built = made(halts, ego={"kind": "bus", "speed": "20 km/h"}, road=STOP)
+    place, _, beyond = _stop_of(built).removeprefix("egoRoute, ").partition(" + 1.2")
+    assert f"brakingDistance(self) / globalParameters.OPT_A_BRAKE > {place}" in built.program.source
+    assert '"right"' in beyond
+
+
+def test_who_halts_before_the_ego_does_so_at_the_line_where_the_road_has_one() -> None:
+    stops = {"id": "A", "kind": "car", "starts": {"where": "ahead"}, "does": [{"act": "stop"}]}
+    line = "OPT_A_BRAKE > egoRoute.eventAt - "
+    lights = {"control": "signal", "ego_light": "yellow"}
+    assert line in made(stops, road=lights).program.source
+    assert line not in made(stops, road=lights | {"ego_light": "green"}).program.source
+    assert line not in made(stops).program.source
+
+
+def test_who_stands_before_the_ego_stands_before_the_rails() -> None:
+    tram = {"id": "A", "kind": "tram", "starts": {"where": "arm", "side": "left"}, "does": [{"act": "cross"}]}
+    rider = {"id": "B", "kind": "bicycle", "role": "supporting", "starts": {"where": "ahead"}}
+    built = made(tram, rider | {"does": [{"act": "stand"}]}, road={"kind": "rail-crossing", "has": ["tram-track"]})
+    assert not built.left_out
+    assert not any("driveway" in one for one in built.assumed)
+    episode = drive(built, seed=1)
+    assert isinstance(episode, Episode)
+    route = simulator(built.map, "native").route(built.program, 0)
+    (there,) = (one for one in episode.tracks if one.actor == "B")
+    nose = route.line.along(there.x, there.y)[0] + 0.5 * there.length
+    assert -4.0 < nose - route.event_at < -2.0
 
 
 def test_a_bus_stop_is_where_a_bus_stands_or_stops_on_its_own_side() -> None:

@@ -96,6 +96,8 @@ def _is_there(feature: Feature, found: Found) -> bool:
     laid = found.laid
     if feature is Feature.MEDIAN:
         return bool(found.query.get("divided")) and not (laid is not None and not laid.median)
+    if feature is Feature.TRAM_TRACK and found.query.get("site") == Site.RAIL_CROSSING:
+        return True
     if laid is not None and _IN_LAID.get(feature, _nothing)(laid):
         return True
     equipped = _AT_PLACE.get(feature) in found.query.get("has", ())

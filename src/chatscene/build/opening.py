@@ -14,6 +14,7 @@ from chatscene.build.chain import in_terms_of, meeting_of
 from chatscene.build.contact import touches
 from chatscene.build.deeds import GO, MOVE
 from chatscene.build.gaps import seconds_to_get_ahead
+from chatscene.build.halting import halts_at
 from chatscene.build.hurrying import begins_nearer, goes_faster
 from chatscene.build.naming import name_of
 from chatscene.build.paces import CRAWLS, Pace, keeps_distance, slowest_with_ego
@@ -59,7 +60,7 @@ class Opening(UnderWay):
         waits = self._waits()
         if actor.stand.rolls:
             self._come_from_afar()
-        if near := goes_round(actor, self.first):
+        if near := goes_round(actor, self.first) or halts_at(actor, self.first):
             yield f"{waits} until {near}"
             return
         if when is not None:

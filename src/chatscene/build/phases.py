@@ -25,6 +25,7 @@ from chatscene.build.gaps import (
     seconds_to_get_ahead,
     seconds_to_get_by,
 )
+from chatscene.build.halting import halts_at
 from chatscene.build.hooking import hooks_at, take_road_to_turn
 from chatscene.build.lateral import led_aside
 from chatscene.build.local import breaks, check_turn
@@ -259,7 +260,7 @@ class Phases:
         for k in range(first, len(actor.deeds)):
             steps, deed = self.steps[k], actor.deeds[k]
             body: list[str] = []
-            if k > first and (near := goes_round(actor, k)):
+            if k > first and (near := goes_round(actor, k) or halts_at(actor, k)):
                 body.append(f"{self._at(k, meanwhile)} until {near}")
             elif k > first and deed.when is not None:
                 changes = steps.pace in (Pace.GAINS, Pace.LOSES)

@@ -185,8 +185,8 @@ def lacks_at(found: Found, where: Where) -> str | None:
         case Where.ON_RAMP if found.query.get("site") not in (Site.ON_RAMP, Site.PAST_ON_RAMP, Site.WEAVING):
             return "on-ramp"
         case Where.DRIVEWAY if not (
-            between_bays(found) or found.query.get("site") in DRIVEWAYS.values()
-        ):  # out of a bay
+            between_bays(found) or found.query.get("site") in (*DRIVEWAYS.values(), Site.RAIL_CROSSING)
+        ):  # out of a bay, or along the rails
             return "driveway"
         case _:
             return None

@@ -6,13 +6,14 @@ from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from chatscene.build.asked import FROM_A_STAND, PARKED_APART, stands_first
+from chatscene.build.halting import HARD, SERVES, bus_stop_of, of_itself
 from chatscene.build.hiding import BESIDE
 from chatscene.build.ledger import Ledger
 from chatscene.build.place import at_junction, between_bays
 from chatscene.terms.actors import LIMITS
 from chatscene.terms.backing import backs
 from chatscene.terms.scene import CAR
-from chatscene.terms.situation import Deed, Other, Situation
+from chatscene.terms.situation import Other, Situation
 from chatscene.terms.vocabulary import Act, Feature, Side, Tempo, UserKind, Where
 
 if TYPE_CHECKING:
@@ -20,7 +21,6 @@ if TYPE_CHECKING:
 
 SHELTER = 5.0  # [m] beyond who is met
 DOOR = 0.25  # of its length that the front door of a bus is before its middle
-HARD = 0.75  # of its brake with which who stops does
 SHELTER_ASIDE = 3.6  # [m] outside the lanes: clear of a bus at the kerb and of who walks there
 PARKED = (12.0, 18.5, 25.0)  # [m] beyond who is met, where nobody who comes out from between is hidden by them
 BY_ONE = 4  # cars that are parked before one who stands in their row, and behind it
@@ -92,20 +92,21 @@ def _shelter(situation: Situation, everybody: Sequence[Actor]) -> Iterator[str]:
     """The line of a bus stop, beside the front door of who stands or stops at it, on the side of its own lane.
 
     That is the ego that sets off, a bus that stands or stops, or another vehicle that does. Where none does, it is
-    beyond who is met, on the side of that one.
+    beyond who is met: on the side of an ego that such a stop is for, else on the side of who is met.
     """
     ego = situation.ego
-    halts = [actor for actor in everybody if not actor.walks and (_waits(actor.one) or _halts(actor.one))]
-    halts.sort(key=lambda actor: (actor.one.kind is not UserKind.BUS, _halts(actor.one)))
+    halts = [actor for actor in everybody if not actor.walks and (_waits(actor.one) or _halts(actor))]
+    halts.sort(key=lambda actor: (actor.one.kind not in SERVES, _halts(actor)))
+    side = Side.RIGHT if ego.kind in SERVES else None
     if at_junction(situation):
-        yield from _things("bus-stop", "BusStop", everybody[0], (SHELTER,), SHELTER_ASIDE)
-    elif ego.does and ego.does[0].act in FROM_A_STAND and (ego.kind is UserKind.BUS or not halts):
+        yield from _things("bus-stop", "BusStop", everybody[0], (SHELTER,), SHELTER_ASIDE, side)
+    elif ego.does and ego.does[0].act in FROM_A_STAND and (ego.kind in SERVES or not halts):
         yield _thing("bus-stop-0", "BusStop", f"{DOOR * ego.body.row.limits.length:g}", Side.RIGHT, SHELTER_ASIDE)
     elif halts:
         at, side = _where_it_halts(halts[0])
         yield _thing("bus-stop-0", "BusStop", at, side, SHELTER_ASIDE)
     else:
-        yield from _things("bus-stop", "BusStop", everybody[0], (SHELTER,), SHELTER_ASIDE)
+        yield from _things("bus-stop", "BusStop", everybody[0], (SHELTER,), SHELTER_ASIDE, side)
 
 
 def _waits(one: Other) -> bool:
@@ -113,21 +114,21 @@ def _waits(one: Other) -> bool:
     return stands_first(one) and one.starts.where in _AT_STOPS
 
 
-def _halts(one: Other) -> bool:
+def _halts(actor: Actor) -> bool:
     """Whether somebody stops where a bus does at a stop, and for nobody."""
-    return not _waits(one) and one.starts.where is Where.AHEAD and any(map(_of_itself, one.does))
-
-
-def _of_itself(deed: Deed) -> bool:
-    return deed.act is Act.STOP and deed.whom is None and deed.when is None
+    one = actor.one
+    ahead = one.starts.where is Where.AHEAD and any(deed.act is Act.STOP and of_itself(deed) for deed in one.does)
+    return not _waits(one) and (ahead or bus_stop_of(actor) is not None)
 
 
 def _where_it_halts(actor: Actor) -> tuple[str, Side]:
     """Where along the ego's way the front door of somebody is who stands or stops, and on which side of the road."""
+    if (there := bus_stop_of(actor)) is not None:
+        return f"{actor.filled(there)} + {DOOR * actor.limits.length:.4g}", Side.RIGHT
     against = actor.one.starts.where is Where.ONCOMING
     beyond = actor.room + DOOR * actor.limits.length * (-1.0 if against else 1.0)
     event = "eventAt" in actor.stand.at
-    if _halts(actor.one):  # it goes as far as the ego until then, and on until it has lost its speed
+    if _halts(actor):  # it goes as far as the ego until then, and on until it has lost its speed
         speed, event = actor.along_speed, True
         beyond += speed * speed / (2.0 * HARD * actor.limits.brake) - actor.needs * speed
     kerb = actor.one.starts.side if actor.one.starts.where is Where.KERB else None

@@ -15,6 +15,7 @@ from chatscene.build.doors import opens_in_lane, stands_in_lane
 from chatscene.build.facing import faces, slanting, turned
 from chatscene.build.flank import level_as_said
 from chatscene.build.gaps import BACKS_FAR
+from chatscene.build.halting import NOSE, line_before
 from chatscene.build.parts import into_lane
 from chatscene.build.place import (
     AT_JUNCTION,
@@ -114,11 +115,25 @@ def _ahead(asked: Asked) -> Stand:
     if turns:
         asked.reach(*BEFORE_DRIVEWAY, "how far beyond 6 m before the driveway it is")
         at = f"egoRoute.eventAt - 6 + {at}"
+    elif line := _at_line(asked):
+        at = line + asked.more
     elif asked.stands:  # so far that it has done what it does when the ego is there
         asked.ahead(38, 56)
     else:
         asked.headway(*HEADWAY, caught_up=_caught_up(asked))
-    return Stand(meets=Meets.ALONG, way=_within(asked.lane, aside), at=at, anywhere=asked.stands and not turns)
+    return Stand(
+        meets=Meets.ALONG, way=_within(asked.lane, aside), at=at, anywhere=asked.stands and at.startswith("$Y")
+    )
+
+
+def _at_line(asked: Asked) -> str:
+    """Where somebody stands who stands first before the line of the junction, or before the rails; else empty."""
+    line = line_before(asked.situation, asked.found) if asked.stands and asked.one.starts.distance is None else None
+    if line is None:
+        return ""
+    half = 0.5 * asked.numbers.row.limits.length
+    low, high = (-(line + half + far) for far in reversed(NOSE))
+    return asked.at_event(low, high, "the line is", "how far before the junction or the rails its middle is")
 
 
 def _turns_in(asked: Asked) -> bool:
