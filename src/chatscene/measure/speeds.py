@@ -88,12 +88,18 @@ def _impact(episode: Episode, other: Track, crash: Event) -> dict[str, float | N
 @lru_cache(maxsize=2)
 def _closing_speed(ego: Track, other: Track, crash: Event) -> float:
     """How much of the impact speed is along the line of contact [m/s]."""
-    step, before = crash.step, max(crash.step - 1, 0)
-    ways = [
-        np.array((math.cos(way), math.sin(way))) * float(track.speed[before])
-        for track, way in ((track, _goes(track, before)) for track in (ego, other))
-    ]
-    return float(np.clip((ways[0] - ways[1]) @ line_of_contact(ego, other, step), 0.0, crash.impact_speed))
+    (mx, my), (tx, ty) = (
+        (math.cos(way) * speed, math.sin(way) * speed)
+        for way, speed in (_course(track, max(crash.step - 1, 0)) for track in (ego, other))
+    )
+    x, y = line_of_contact(ego, other, crash.step)
+    along = (mx - tx) * x + (my - ty) * y
+    return min(along, crash.impact_speed) if along > 0.0 else 0.0
+
+
+def _course(track: Track, step: int) -> tuple[float, float]:
+    """Where somebody goes [rad], and how fast [m/s]."""
+    return _goes(track, step), float(track.speed[step])
 
 
 def _goes(track: Track, step: int) -> float:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
+from functools import lru_cache
 
 import numpy as np
 
@@ -118,6 +119,7 @@ _LEAVES = (*LANE_CHANGES, Maneuver.BYPASS)
 """Routes that were found to leave their lane: the more road they do it on, the less they turn."""
 
 
+@lru_cache(maxsize=256)
 def maneuver_of(route: Route) -> Maneuver:
     """What a route does, from its shape; at ramps and roundabouts what it was found for, which no shape tells."""
     if route.site in TOLD_BY_SITE:

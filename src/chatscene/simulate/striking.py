@@ -8,9 +8,8 @@ from functools import lru_cache
 
 import numpy as np
 
-from chatscene.simulate.boxes import KEPT, NOTHING, Boxes, Pair
+from chatscene.simulate.boxes import KEPT, NOTHING, Boxes
 from chatscene.simulate.contact import side_touched
-from chatscene.terms.arrays import Array, fixed
 from chatscene.terms.episode import Episode, Event, Role, Track, contact_point
 
 DOOR = "Door"  # the class of what is opened into somebody's way
@@ -101,23 +100,40 @@ def _turned_toward(track: Track, other: Track, since: int, step: int) -> float:
 
 
 @lru_cache(maxsize=KEPT)
-def line_of_contact(ego: Track, other: Track, step: int) -> Array:
-    """(2,) The normal, from the ego to the other, of the side at which they met in the step before `step`."""
-    mine, theirs = _moved(ego, step), _moved(other, step)
-    before = max(step - 1, 0)
-    pair = Pair.of(Boxes.of(ego).at(before), Boxes.of(other).at(before))
-    # The boxes met on the axis on which they were apart for longest.
-    enter, _ = pair.overlap(*(theirs - mine))
-    axis = int(np.argmax(enter))
-    return fixed(np.array((pair.axis_x[axis], pair.axis_y[axis])) * math.copysign(1.0, pair.offset[axis]))
+def line_of_contact(ego: Track, other: Track, step: int) -> tuple[float, float]:
+    """The normal, from the ego to the other, of the side at which they met in the step before `step`."""
+    (mx, my), (tx, ty), before = _moved(ego, step), _moved(other, step), max(step - 1, 0)
+    a, b = Boxes.of(ego), Boxes.of(other)
+    ac, az, bc, bz, ax, ay, bx, by = (
+        float(column[before]) for column in (a.cos, a.sin, b.cos, b.sin, a.x, a.y, b.x, b.y)
+    )
+    c, s, dx, dy = abs(ac * bc + az * bz), abs(ac * bz - az * bc), bx - ax, by - ay
+    axes = (  # as `Pair` has them: a direction, and how near the centres are along it when the boxes touch
+        (ac, az, a.half_length + b.half_length * c + b.half_width * s),
+        (-az, ac, a.half_width + b.half_length * s + b.half_width * c),
+        (bc, bz, b.half_length + a.half_length * c + a.half_width * s),
+        (-bz, bc, b.half_width + a.half_length * s + a.half_width * c),
+    )
+    enters = [_enters(dx * x + dy * y, reach, (tx - mx) * x + (ty - my) * y) for x, y, reach in axes]
+    x, y, _ = axes[enters.index(max(enters))]  # on which they were apart for longest
+    side = math.copysign(1.0, dx * x + dy * y)
+    return x * side, y * side
+
+
+def _enters(offset: float, reach: float, speed: float) -> float:
+    """When two begin to overlap on an axis, as `Pair.overlap` has it."""
+    if abs(speed) < NOTHING:
+        return -math.inf if abs(offset) <= reach else math.inf
+    return min((-reach - offset) / speed, (reach - offset) / speed)
 
 
 def _ego_closed_more(ego: Track, other: Track, step: int) -> bool:
     """Whether the ego moved at least as far toward the other as the other toward it, in the step before `step`."""
-    normal = line_of_contact(ego, other, step)
-    return bool(_moved(ego, step) @ normal >= -_moved(other, step) @ normal - NOTHING)
+    x, y = line_of_contact(ego, other, step)
+    (mx, my), (tx, ty) = _moved(ego, step), _moved(other, step)
+    return mx * x + my * y >= -tx * x + -ty * y - NOTHING
 
 
-def _moved(track: Track, step: int) -> Array:
+def _moved(track: Track, step: int) -> tuple[float, float]:
     before = max(step - 1, 0)
-    return np.array((track.x[step] - track.x[before], track.y[step] - track.y[before]))
+    return float(track.x[step] - track.x[before]), float(track.y[step] - track.y[before])

@@ -9,6 +9,7 @@ import hashlib
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
+from functools import lru_cache
 
 from chatscene.terms.actors import LIMITS, AdversaryKind, Limits
 from chatscene.terms.snippet import ParameterRange
@@ -71,8 +72,7 @@ class ScenicProgram:
     @property
     def ego_limits(self) -> Limits:
         """What the ego's vehicle can do."""
-        found, limits = None if self.drawn else _TOP.search(self.source), LIMITS[self.ego_kind]
-        return replace(limits, top_speed=float(found[1])) if found else limits
+        return LIMITS[self.ego_kind] if self.drawn else _limits(self.source, self.ego_kind)
 
     @property
     def called(self) -> str:
@@ -91,6 +91,13 @@ class ScenicProgram:
     def drawn(self) -> bool:
         """Whether Scenic draws where things stand, so that each scene has a place and a route of its own."""
         return self.model != OWN_MODEL
+
+
+@lru_cache(maxsize=64)
+def _limits(source: str, kind: str) -> Limits:
+    """What an ego of a class can do, as a program says it, which every drive asks."""
+    found, limits = _TOP.search(source), LIMITS[kind]
+    return replace(limits, top_speed=float(found[1])) if found else limits
 
 
 def at_speed(program: ScenicProgram, speed: float) -> ScenicProgram:

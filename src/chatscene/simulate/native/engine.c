@@ -1795,27 +1795,72 @@ static void planner(const Policy *policy, const double *seen, double *accelerati
 #define BLOCK 128
 #if defined(__x86_64__) && defined(__GLIBC__) && defined(__GNUC__) && !defined(__clang__)
 /* With as wide registers as the machine has. Each sum is of the same products in the same order, none fused. */
-#define WIDE __attribute__((target_clones("avx512f", "avx2", "default")))
+#define WIDE __attribute__((target_clones("avx2", "default")))
+#define WIDEST __attribute__((target("avx512f")))
 #else
 #define WIDE
 #endif
 
-WIDE static void summed(const Layer *layer, const float *in, float *out, int32_t *told) {
-    int64_t outputs = layer->outputs, count = 0;
+/* A block of outputs. */
+WIDE static void block(const float *columns, int64_t outputs, const float *in, const int32_t *told, int64_t count,
+                       float *sum) {
+    for (int64_t t = 0; t < count; t++) {
+        const float *weight = columns + told[t] * outputs, x = in[told[t]];
+        if (t) for (int k = 0; k < BLOCK; k++) sum[k] += weight[k] * x;
+        else for (int k = 0; k < BLOCK; k++) sum[k] = weight[k] * x;
+    }
+}
+
+#ifdef WIDEST
+typedef float Wide __attribute__((vector_size(64), aligned(4), may_alias));
+
+/* The same, each sum in a register all along; narrower registers are too few for that. */
+WIDEST static void widest_block(const float *columns, int64_t outputs, const float *in, const int32_t *told,
+                                int64_t count, float *sum) {
+    Wide s0, s1, s2, s3, s4, s5, s6, s7;
+    s0 = s1 = s2 = s3 = s4 = s5 = s6 = s7 = (Wide){0};
+    for (int64_t t = 0; t < count; t++) {
+        const Wide *w = (const Wide *)(columns + told[t] * outputs);
+        float x = in[told[t]];
+        if (t) {
+            s0 += w[0] * x, s1 += w[1] * x, s2 += w[2] * x, s3 += w[3] * x;
+            s4 += w[4] * x, s5 += w[5] * x, s6 += w[6] * x, s7 += w[7] * x;
+        } else {
+            s0 = w[0] * x, s1 = w[1] * x, s2 = w[2] * x, s3 = w[3] * x;
+            s4 = w[4] * x, s5 = w[5] * x, s6 = w[6] * x, s7 = w[7] * x;
+        }
+    }
+    Wide *all = (Wide *)sum;
+    all[0] = s0, all[1] = s1, all[2] = s2, all[3] = s3, all[4] = s4, all[5] = s5, all[6] = s6, all[7] = s7;
+}
+#endif
+
+static void summed(const Layer *layer, const float *in, float *out, int32_t *told) {
+    int64_t outputs = layer->outputs, count = 0, first = 0;
     for (int32_t i = 0; i < layer->inputs; i++) {
         told[count] = i;
         count += in[i] != 0.0f;
     }
-    for (int64_t first = 0; first < outputs; first += BLOCK) {
-        int64_t many = outputs - first < BLOCK ? outputs - first : BLOCK;
+    for (; first + BLOCK <= outputs; first += BLOCK) {
         float sum[BLOCK] = {0};
+#ifdef WIDEST
+        if (__builtin_cpu_supports("avx512f")) widest_block(layer->columns + first, outputs, in, told, count, sum);
+        else
+#endif
+            block(layer->columns + first, outputs, in, told, count, sum);
+        for (int k = 0; k < BLOCK; k++) out[first + k] = sum[k] + layer->bias[first + k];
+    }
+    for (; first < outputs; first += 2) { /* two at a time, so that neither waits for the other */
+        int64_t next = first + 1 < outputs ? 1 : 0;
+        const float *columns = layer->columns + first;
+        float one = 0.0f, other = 0.0f;
         for (int64_t t = 0; t < count; t++) {
-            const float *weight = layer->columns + told[t] * outputs + first, x = in[told[t]];
-            if (t && many == BLOCK) for (int k = 0; k < BLOCK; k++) sum[k] += weight[k] * x;
-            else if (t) for (int64_t k = 0; k < many; k++) sum[k] += weight[k] * x;
-            else for (int64_t k = 0; k < many; k++) sum[k] = weight[k] * x;
+            const float *weight = columns + told[t] * outputs, x = in[told[t]];
+            one = t ? one + weight[0] * x : weight[0] * x;
+            other = t ? other + weight[next] * x : weight[next] * x;
         }
-        for (int64_t k = 0; k < many; k++) out[first + k] = sum[k] + layer->bias[first + k];
+        out[first + next] = other + layer->bias[first + next];
+        out[first] = one + layer->bias[first];
     }
 }
 
