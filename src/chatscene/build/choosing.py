@@ -40,6 +40,7 @@ from chatscene.build.deeds import (
 )
 from chatscene.build.gaps import eases, stops_before
 from chatscene.build.hooking import hooks_at
+from chatscene.build.leaving import leaves_road
 from chatscene.build.local import check_round, way_to_turn_round
 from chatscene.build.naming import name_of
 from chatscene.build.over_lanes import lane_after
@@ -115,6 +116,7 @@ def _table(actor: Actor, k: int) -> Iterator[tuple[Act, Steps]]:
         yield Act.SWERVE, SHIES
     if deed.act in OFF and along:
         yield from _turning_off(actor, k)
+    yield from _off_the_road(actor, k)
     if deed.act is Act.U_TURN and meets in (Meets.ALONG, Meets.KERB):
         turn = way_to_turn_round(actor, k)
         speed = 0.0 if deed.speed is not None else math.sqrt(TURNS_AT * turn.radius)
@@ -129,6 +131,12 @@ def _table(actor: Actor, k: int) -> Iterator[tuple[Act, Steps]]:
         yield from _toward(actor, k)
     if done_to(deed) != EGO:
         yield from _to_another(actor, k)
+
+
+def _off_the_road(actor: Actor, k: int) -> Iterator[tuple[Act, Steps]]:
+    """The row of who goes along or against the ego and leaves the road; without it nobody does."""
+    if actor.stand.meets in (Meets.ALONG, Meets.TOWARD) and actor.deeds[k].act is Act.LEAVE_ROAD:
+        yield Act.LEAVE_ROAD, leaves_road(actor, k)
 
 
 def _turning_off(actor: Actor, k: int) -> Iterator[tuple[Act, Steps]]:

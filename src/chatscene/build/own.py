@@ -12,6 +12,7 @@ from dataclasses import dataclass, replace
 
 from chatscene.build.asked import stands_first
 from chatscene.build.awaiting import awaited, waiting
+from chatscene.build.leaving import ego_to_edge
 from chatscene.build.ledger import Ledger
 from chatscene.build.place import LANE, NEXT_LANE
 from chatscene.build.relations import AGAINST, falls_behind, speed_of
@@ -22,20 +23,21 @@ from chatscene.terms.order import Order
 from chatscene.terms.situation import CREEPS, EGO, LATERALS, Deed, Lateral, Other, Situation, When
 from chatscene.terms.vocabulary import COMES_IN, Act, Heads, Manner, Role, Side, Where, acts_of
 
-ASIDE = {Act.SWERVE: 2.6, Act.DRIFT: 1.7, Act.LANE_CHANGE: LANE, Act.PARK: 2.6}
+ASIDE = {Act.SWERVE: 2.6, Act.DRIFT: 1.7, Act.LANE_CHANGE: LANE, Act.PARK: 2.6, Act.LEAVE_ROAD: LANE}
 """How far [m] the ego leaves its line by a deed, if that was not said."""
-TAKES = {Act.SWERVE: 1.6, Act.DRIFT: 2.5, Act.LANE_CHANGE: 3.0, Act.PARK: 4.0}
+TAKES = {Act.SWERVE: 1.6, Act.DRIFT: 2.5, Act.LANE_CHANGE: 3.0, Act.PARK: 4.0, Act.LEAVE_ROAD: 3.0}
 """How long [s] a deed lasts, if that was not said: then the ego goes back to its way, unless it changes lanes."""
-_OVER = {Act.SWERVE: 0.0, Act.DRIFT: 2.2, Act.LANE_CHANGE: 1.5, Act.PARK: 1.5}
-_SIDES = {Act.PARK: Side.RIGHT, Act.DRIFT: Side.LEFT}
+_OVER = {Act.SWERVE: 0.0, Act.DRIFT: 2.2, Act.LANE_CHANGE: 1.5, Act.PARK: 1.5, Act.LEAVE_ROAD: 1.5}
+_SIDES = {Act.PARK: Side.RIGHT, Act.LEAVE_ROAD: Side.RIGHT, Act.DRIFT: Side.LEFT}
 KEEPS = 0.95  # of its speed that it keeps while it is steered, as far as nothing slows it
-SOON = {Act.SWERVE: 1.4, Act.DRIFT: 2.2, Act.LANE_CHANGE: 2.6, Act.PARK: 3.4}
+SOON = {Act.SWERVE: 1.4, Act.DRIFT: 2.2, Act.LANE_CHANGE: 2.6, Act.PARK: 3.4, Act.LEAVE_ROAD: 2.0}
 """How long [s] before they would meet the last of its deeds begins."""
 SPARES = 0.8  # [s] sooner, where they are said not to touch
 BY = 3.0  # [m] of which somebody who is passed at its side is to be left, beside the ego's own way
 GAINS = 2.0  # [m/s²] by which an ego gains speed
 EASES = 2.5  # [m/s²] by which it loses speed to have one that was said of what it does with its wheel
 SLOWER = 0.6  # of its speed that an ego has that is to gain speed, if no speed was said
+OFF_BRAKES = 4.0  # [m/s²] by which an ego stops that has left the road
 FIRST = 2.0  # [s] after which it does
 AT_ONCE = 0.5  # [m/s] by which its speed is raised at a time where it was said how fast it gains speed
 OFF = 0.25  # of a speed, by which two numbers may be off a third that follows from them
@@ -146,7 +148,9 @@ def _aside(
     if aside is not None:  # how fast it comes aside, and not along
         lasts = max(lasts, far / aside.high)
     since, over = round(begins.since, 2), min(_OVER[deed.act] if aside is None else far / aside.high, lasts)
-    keeps = 0.0 if deed.act is Act.PARK else round(KEEPS * speed, 2)
+    if deed.act is Act.LEAVE_ROAD:
+        lasts = over + speed / OFF_BRAKES
+    keeps = 0.0 if deed.act in acts_of(Heads.EDGE) else round(KEEPS * speed, 2)
     if deed.speed is not None:
         ledger.take(f"{at}.speed")
     stays = deed.act in acts_of(Heads.EDGE, Heads.OVER)
@@ -159,8 +163,10 @@ def _aside(
     yield begins.order(aside=left, over=over, since=since, till=math.inf if stays else round(since + lasts, 2))
     if keeps:
         yield begins.order(at_least=keeps, since=since, till=round(since + lasts, 2))
-    if deed.act is Act.PARK:
+    if deed.act in acts_of(Heads.EDGE):
         braking = round(max(2.0 * speed / lasts, 1.5), 2)  # in the second half of it
+        if deed.act is Act.LEAVE_ROAD:
+            braking = OFF_BRAKES
         yield begins.order(at_most=0.0, since=round(since + lasts, 2), braking=braking)
 
 
@@ -191,6 +197,8 @@ def _comes_aside(deed: Deed) -> Speed | None:
 def _far(situation: Situation, deed: Deed, sides: Mapping[str, Side]) -> float:
     """How far [m] the ego leaves its line by a deed."""
     usual = ASIDE[deed.act]
+    if deed.act is Act.LEAVE_ROAD:
+        usual = ego_to_edge(situation, _side_of(situation, deed, sides))
     if deed.distance is not None and deed.act is not Act.LANE_CHANGE:  # of which it says within what way
         usual = deed.distance.near(usual)
     if deed.lateral is None:

@@ -45,6 +45,7 @@ TURNED_OFF = math.radians(60)  # who has turned by so much has not gone straight
 ROUND_ABOUT = math.radians(140)  # by which somebody is turned who has turned round
 ROUND = math.radians(30)  # from the ego's way, from which somebody is seen to turn round
 GOES_WITH = 0.5  # cosine of the angle to the ego's way up to which somebody goes along that
+OUT_OF_LANE = 1.6  # [m] from its line to the near side of a body that is outside its lane
 FOLLOWS = 40.0  # [m] behind somebody: who is farther does not follow …
 FREE = 5.0  # [s] … if it is also more than this behind, from which drivers are counted as free of whom they follow
 FOLLOWED = 15  # [steps] that somebody must be behind another to be seen to follow, or level to keep so
@@ -352,6 +353,18 @@ def _parks(s: Seen) -> Iterator[Act]:
             yield once
 
 
+def _leaves_road(s: Seen) -> Iterator[Act]:
+    """It comes to stand so far aside of its line that all of it is outside its lane, and stays so."""
+    aside = np.abs(s.drift)
+    wholly = aside > OUT_OF_LANE + 0.5 * s.track.width
+    if not wholly[-1]:
+        return
+    off = int(np.flatnonzero(~wholly)[-1]) + 1 if not wholly.all() else 0
+    began = int(np.flatnonzero(aside[: off + 1] <= ON_LINE)[-1]) if (aside[: off + 1] <= ON_LINE).any() else 0
+    stands = np.flatnonzero(np.abs(s.track.speed[off:]) < STANDING)
+    yield Act(began, off + int(stands[0]) if stands.size else None)
+
+
 def _spins(s: Seen) -> Iterator[Act]:
     """It slides on and turns away from where it goes."""
     dx, dy = np.gradient(s.track.x), np.gradient(s.track.y)
@@ -401,6 +414,7 @@ ACTS: Mapping[Said, Callable[[Seen], Iterable[Act]]] = by_act(
         Heads.OUT: lambda s: _not_turning_off(s, ACTIONS[Action.CHANGE_LANE](s)),
         Heads.OFF: lambda s: _turns_once(s, _exits(s)),
         Heads.EDGE: _parks,
+        Said.LEAVE_ROAD: _leaves_road,
         Heads.ASIDE: lambda s: _not_turning_off(s, ACTIONS[Action.SWERVE](s)),
         Heads.DRIFTS: drifts,
         Heads.SWINGS: lambda s: _not_turning_off(s, ACTIONS[Action.WEAVE](s)),

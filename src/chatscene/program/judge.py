@@ -38,7 +38,7 @@ from chatscene.program.meaning import TOGETHER, in_between, left_of_ego
 from chatscene.program.measured import SLACK, SLACK_LENGTH, SLACK_SPEED, Yardstick, held_at_most
 from chatscene.program.own import of_ego
 from chatscene.program.roads import of_road
-from chatscene.program.said import due, gently, to_side, untold, waits_for_ego, waits_for_others
+from chatscene.program.said import LEAVES_LINE, due, gently, to_side, untold, waits_for_ego, waits_for_others
 from chatscene.program.sequence import Sequence
 from chatscene.program.starting import STARTS, faces
 from chatscene.program.unasked import of_somebody, unasked
@@ -365,7 +365,7 @@ class _Judge:
 
     def _how(self, one: Other, path: str, deed: Deed, once: Act, seen: Seen) -> Iterator[Finding]:
         """How a deed is done: to which side, by which numbers, in which manner, against which rule."""
-        if deed.to is not None and deed.act in ASIDE:
+        if deed.to is not None and deed.act in LEAVES_LINE:
             told = f"said {deed.to}, it goes to the {_side(moved_left(seen, once))}"
             yield Finding(path=f"{path}.to", shown=to_side(deed, once, seen), told=told)
         yield from self._amounts(one, path, deed, once, seen)

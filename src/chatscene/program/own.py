@@ -21,15 +21,16 @@ from chatscene.terms.episode import Episode, EventKind
 from chatscene.terms.route import Route
 from chatscene.terms.scenario import EgoState
 from chatscene.terms.situation import EGO, Deed, Situation
-from chatscene.terms.vocabulary import CHANGES, Act, Breach, Side
+from chatscene.terms.vocabulary import CHANGES, Act, Breach, Heads, Side, acts_of
 
 OVER = 5  # [steps] at the end of which an ego that is hit is seen to lose speed
 LOST_AT_ONCE = 0.5  # [m/s] that it has lost then, if it was losing speed when it was hit
 CHANGED = 2.2  # [m] from its line: an ego that is farther has changed lanes
 BACK = 0.3  # [m/s] from which on an ego is seen to go back
+OFF_ROAD = 2.2  # [m] from its line at least an ego that has left the road
 EDGE = 1.0  # [m] from its line at least an ego that stands at the edge
 _STATES = {Act.STOP: EgoState.STOPS, Act.SLOW_DOWN: EgoState.SLOWS_DOWN, Act.BRAKE: EgoState.BRAKES}
-_ASIDE = {Act.SWERVE: DRIFTED, Act.DRIFT: DRIFTED, Act.LANE_CHANGE: CHANGED, Act.PARK: EDGE}
+_ASIDE = {Act.SWERVE: DRIFTED, Act.DRIFT: DRIFTED, Act.LANE_CHANGE: CHANGED, Act.PARK: EDGE, Act.LEAVE_ROAD: OFF_ROAD}
 BROKEN = {Breach.RED_LIGHT: EventKind.RED_LIGHT, Breach.STOP_SIGN: EventKind.STOP_SIGN}
 
 
@@ -149,7 +150,7 @@ def _aside(
         aside = aside - np.minimum.accumulate(aside)
     most, least = float(aside.max(initial=0.0)), _ASIDE[deed.act]
     shown = most > least
-    if deed.act is Act.PARK:
+    if deed.act in acts_of(Heads.EDGE):
         still = np.abs(episode.ego_track.speed[since : since + len(aside)]) < STANDING
         shown = bool((still & (aside > least)).any())
     at = (since + int(np.argmax(aside > min(least, ON_LINE)))) * episode.dt

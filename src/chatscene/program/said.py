@@ -9,8 +9,9 @@ from chatscene.program.doing import moved_left
 from chatscene.program.meaning import TOGETHER
 from chatscene.program.watching import Seen
 from chatscene.terms.situation import EGO, Deed, Other
-from chatscene.terms.vocabulary import ASIDE, Breach, Manner, Side
+from chatscene.terms.vocabulary import ASIDE, Breach, Heads, Manner, Side, acts_of
 
+LEAVES_LINE = ASIDE | acts_of(Heads.EDGE)
 HARD = 3.0  # [m/s²] of braking: whoever was said to brake by less is seen to slow down
 
 
@@ -44,7 +45,7 @@ def gently(deed: Deed) -> bool:
 
 def to_side(deed: Deed, once: Act, seen: Seen) -> bool:
     """Whether somebody who leaves its line does so to the side that was said, if one was."""
-    if deed.to is None or deed.act not in ASIDE:
+    if deed.to is None or deed.act not in LEAVES_LINE:
         return True
     return (moved_left(seen, once) > 0) == (deed.to is Side.LEFT)
 

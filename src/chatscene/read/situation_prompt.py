@@ -29,16 +29,18 @@ verdict: situation; no-situation (no danger in traffic is told, as in a question
 but the form has no words for what matters in it). Unless it is situation: reason is one sentence, no situation.
 
 Rules:
-- The ego is who is tested or tells it: I, we, our car, VUT, AV, vehicle or unit 1; else the driver whose way the text
-  follows and before whom another turns up, be it claimant or defendant. If who tells it is on foot, the
-  ego is the vehicle that endangers them. What the ego does is never told of another, even if its words lack.
+- The ego is who is tested or tells it: I, we, our car, VUT, AV, driverless car, vehicle or unit 1; else the driver
+  whose way the text follows and before whom another turns up, be it claimant or defendant. If who tells it is on
+  foot, the ego is the vehicle that endangers them. What the ego does is never told of another, even if its words lack.
   ego.kind: what it is, if no car, also by its cab, rig or passengers.
 - others: all who matter, or are only mentioned, ids A, B, C. Several who do the same are one with a count: a
-  queue that stands has count 0.
+  queue that stands has count 0. Who go abreast or staggered are each one, with starts.lateral.side. Traffic that the
+  ego filters through: one of count 0 ahead-beside on the left, one on the right.
 - role: who meets the ego is an adversary; who brings it about unmet, as a lead that brakes, supporting; hidden_by names
   another, whose role is hides if it does nothing else.
-- does: what somebody does, in order; when.after another's deed that is done, when.during one that goes on. ego.does:
-  how it steers, too; not that it brakes for the adversary.
+- does: what somebody does, in order; when.after another's deed that is done, when.during one that goes on. A distance
+  to us as somebody acts is when.ego_within, not of starts. ego.does: how it steers, too; that it stops if others act
+  once it has; not that it brakes for the adversary.
 - Sides are the ego's own at its start, of starts and of deeds; of turn-left, turn-right and parts they are each one's
   own. Traffic keeps right: nearside and kerb are right, offside and driver's door left. In a text surely of
   left-hand traffic (Britain, India, Japan) swap each left and right that it says: evidence.mirrored true.
@@ -200,6 +202,16 @@ EXAMPLES = (
                 {"id": "B", "kind": "bus", "role": "hides", "starts": {"where": "kerb", "side": "left"},
                  "does": [{"act": "stand"}]}],
         around={"weather": "rain"},
+    ),
+    _told(
+        "I stopped for two kids on the crosswalk, and the van behind me swung round us while they walked.",
+        {"ego.does": "I stopped for two kids", "others.A": "van behind me swung round us while they walked",
+         "others.B": "two kids on the crosswalk"},
+        ego={"does": [{"act": "stop", "when": {"during": "B.cross"}}]},
+        others=[{"id": "A", "kind": "van", "starts": {"where": "behind"},
+                 "does": [{"act": "overtake", "when": {"after": "ego.stop"}}]},
+                {"id": "B", "kind": "child", "count": 2, "role": "supporting", "starts": {"where": "crossing"},
+                 "does": [{"act": "cross"}]}],
     ),
     _told(
         "Our bus waits in a queue; somebody behind does not stop.",

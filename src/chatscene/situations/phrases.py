@@ -432,6 +432,7 @@ _ACTS: Mapping[Act, Doing] = {
     Act.TAILGATE: Doing(does="[tailgate/tailgates/tailgating] {whom}", distance=" at a distance of {distance}"),
     Act.TURN_BACK: Doing(does="[turn/turns/turning] back"),
     Act.PARK: Doing(does="[park/parks/parking]"),
+    Act.LEAVE_ROAD: Doing(does="[leave/leaves/leaving] the road"),
     Act.EXIT: Doing(does="[take/takes/taking] the exit"),
     Act.YIELD: Doing(does="[give/gives/giving] way to {whom}"),
     Act.OPEN_DOOR: Doing(does="[open/opens/opening] a door", whom=" into the way of {whom}"),

@@ -586,6 +586,11 @@ class Act(RowWord):
         "comes to a stand at the edge of the road or in a parking place",
         _act(WHEELS, "speed", Heads.EDGE, ego=True),
     )
+    LEAVE_ROAD = (
+        "leave-road",
+        "goes off the road to a stand: onto its shoulder or verge, into a ditch",
+        _act(WHEELS, "", Heads.EDGE, ego=True, sided=True),
+    )
     EXIT = ("exit", "leaves the road by a ramp, or a roundabout", _act(WHEELS, "speed", Heads.OFF))
     YIELD = ("yield", "waits until somebody has gone by", _act(_ALL, "", Tempo.WAITS, ego=True, whom=True))
     OPEN_DOOR = (
