@@ -64,3 +64,25 @@ def test_a_road_is_laid_with_the_driveway_that_somebody_hooks_into() -> None:
     _, built = hook("behind-beside", road={"has": ["cycle-lane"]}, ego={"kind": "bicycle", "speed": "25 km/h"})
     assert "driveway=right" in built.map
     assert "site='driveway'" in built.program.source
+
+
+@pytest.mark.parametrize(("side", "turn"), [("right", "turn-left"), ("left", "turn-right")])
+def test_who_is_beside_the_ego_turns_across_its_way_at_the_junction(side: str, turn: str) -> None:
+    one = {"id": "A", "kind": "car", "starts": {"where": "beside", "side": side}, "does": [{"act": turn}]}
+    built = build(from_plain({"road": {"kind": "junction"}, "ego": {"route": "straight"}, "others": [one]}))
+    episode = drive(built, seed=1)
+    assert isinstance(episode, Episode), episode
+    other = next(one for one in episode.tracks if one.actor == "A")
+    route = simulator(built.map, "native").route(built.program, 0)
+    along = route.line.headings_at(route.line.along(other.x, other.y))
+    off = np.abs(np.remainder(other.heading - along + np.pi, 2 * np.pi) - np.pi) > np.radians(5)
+    beyond = route.line.along(other.x, other.y) - route.event_at
+    assert -15.0 < float(beyond[int(np.argmax(off))]) < 9.0
+
+
+def test_who_takes_priority_that_it_has_not_comes_from_the_left_where_nothing_rules_the_junction() -> None:
+    one = {"id": "A", "kind": "car", "starts": {"where": "arm"}, "does": [{"act": "go-straight"}]}
+    breaks = one | {"does": [{"act": "go-straight", "breaks": "right-of-way"}]}
+    road = {"kind": "junction", "control": "none"}
+    assert 'trafficFrom(egoRoute, "right")' in build(from_plain({"road": road, "others": [one]})).program.source
+    assert 'trafficFrom(egoRoute, "left")' in build(from_plain({"road": road, "others": [breaks]})).program.source

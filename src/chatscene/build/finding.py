@@ -19,7 +19,9 @@ from chatscene.build.place import (
     GOES_OVER,
     NEXT_LANE,
     Found,
+    at_roundabout,
     beside_lane,
+    control_of,
     from_left,
     in_bus_lane,
     in_cycle_lane,
@@ -50,6 +52,7 @@ from chatscene.terms.vocabulary import (
     ASIDE,
     HALTS,
     Act,
+    Breach,
     EgoRoute,
     Heads,
     RightOfWay,
@@ -351,7 +354,7 @@ def _open_sides(situation: Situation) -> Iterator[dict[str, Side]]:
     told = dict(_beside_whom(situation))
     told |= {one.id: side for one in others if (side := side_hidden(situation, one)) is not None}
     told |= {one.id: side for one in others if (side := comes_from(one)) is not None}
-    told |= {one.id: Side.LEFT for one in others if from_left(situation, one)}
+    told |= {one.id: Side.LEFT for one in others if from_left(situation, one) or _without_priority(situation, one)}
     told |= {one.id: side for one in others if (side := _out_of_the_way(situation, one)) is not None}
     told = {name: side for name, side in told.items() if name in open_ones}
     for first in (Side.RIGHT, Side.LEFT) if len(open_ones) > len(told) else (Side.RIGHT,):
@@ -367,6 +370,15 @@ def _beside_whom(situation: Situation) -> Iterator[tuple[str, Side]]:
         for mine, theirs in ((one, by), (by, one)):
             if theirs.starts.side is not None:
                 yield mine.id, theirs.starts.side
+
+
+def _without_priority(situation: Situation, one: Other) -> bool:
+    """Whether somebody does not give way where nothing rules the junction, so that it comes from our left.
+
+    Who comes from our right has priority there, where traffic keeps right (Vienna Convention on Road Traffic, 18.4).
+    """
+    takes = one.starts.where is Where.ARM and any(deed.breaks is Breach.RIGHT_OF_WAY for deed in one.does)
+    return takes and not at_roundabout(situation) and control_of(situation) is RightOfWay.NONE
 
 
 def _out_of_the_way(situation: Situation, one: Other) -> Side | None:

@@ -6,9 +6,9 @@ from typing import TYPE_CHECKING
 
 from chatscene.build.asked import Meets, stands_first
 from chatscene.build.coming import wanted_by
-from chatscene.build.deeds import EASES
+from chatscene.build.deeds import EASES, OFF
 from chatscene.build.gaps import seconds_to_get_by
-from chatscene.build.place import DRIVEWAYS, at_junction, hooks_off, turns_in_ahead
+from chatscene.build.place import DRIVEWAYS, NEXT_LANE, at_junction, hooks_off, turns_in_ahead
 from chatscene.build.sideways import USUAL
 from chatscene.maps.open_road import OPEN_ROAD
 from chatscene.maps.routes import APPROACHES
@@ -19,6 +19,7 @@ if TYPE_CHECKING:
 
 STEADY = 1.0  # [s] that who is ahead is seen to go along, before it slows down
 SLOWED = 0.7  # of what it wants, below which an ego is told to be slower
+AT_ENTRY = 0.5  # [s] before the ego is at the entry of a junction that who is beside it begins to turn off there
 NEARLY = 0.9  # of the road that it needs, from which on it is told to turn at its place
 
 
@@ -38,6 +39,12 @@ def hooks_at(actor: Actor) -> int | None:
 
 def _at_driveway(actor: Actor) -> bool:
     return actor.found.query.get("site") in DRIVEWAYS.values()
+
+
+def turns_at_entry(actor: Actor, k: int) -> bool:
+    """Whether somebody goes along beside the ego, and by its k-th deed turns off at the junction."""
+    along = actor.stand.meets is Meets.ALONG and actor.one.starts.where in NEXT_LANE and not stands_first(actor.one)
+    return along and actor.deeds[k].act in OFF and at_junction(actor.ledger.situation) and hooks_at(actor) is None
 
 
 def road_to_turn(actor: Actor) -> float:

@@ -26,7 +26,7 @@ from chatscene.build.gaps import (
     seconds_to_get_by,
 )
 from chatscene.build.halting import halts_at
-from chatscene.build.hooking import hooks_at, take_road_to_turn
+from chatscene.build.hooking import AT_ENTRY, hooks_at, take_road_to_turn, turns_at_entry
 from chatscene.build.lateral import led_aside
 from chatscene.build.local import breaks, check_turn
 from chatscene.build.numbered import held_at, of_deed, renamed
@@ -114,12 +114,19 @@ class Phases:
         for k, steps in enumerate(self.steps):
             if steps.binds.get("speed") == "FAST" and deeds[k].act is Act.OVERTAKE:
                 set_passing_speed(actor, k)
+        self._set_moment()
+        return tuple(self._all())
+
+    def _set_moment(self) -> None:
+        """When it does what it does first."""
+        actor, deeds = self.actor, self.actor.deeds
         if actor.stand.meets in (Meets.THROUGH, Meets.ACROSS) or actor.stand.rolls:
             set_offset(actor)
             set_time_to_meet(actor)
+        if deeds and turns_at_entry(actor, 0):
+            actor.numbers.narrow("OFFSET", -AT_ENTRY, AT_ENTRY)
         if deeds and deeds[-1].act is Act.OPEN_DOOR and actor.stand.meets is Meets.KERB:
             self._set_door()
-        return tuple(self._all())
 
     def _set_door(self) -> None:
         """When a door is opened: before the ego comes to who stands in its lane, or too late for it to stop."""

@@ -12,7 +12,7 @@ from chatscene.build.chain import meeting_of
 from chatscene.build.contact import touches
 from chatscene.build.deeds import GO
 from chatscene.build.gaps import passes_where_it_goes_over
-from chatscene.build.hooking import hooks_at, road_to_turn
+from chatscene.build.hooking import AT_ENTRY, hooks_at, road_to_turn, turns_at_entry
 from chatscene.build.over_lanes import lane_after
 from chatscene.build.paces import CRAWLS, Pace
 from chatscene.build.place import LANE, NEXT_LANE, at_junction, leaves_by_ramp
@@ -147,6 +147,8 @@ class UnderWay:
         # of a slow ego, which is long in coming, long before it is there
         soon = max(0.0, actor.ego.time_at(actor.found.route.eventAt) - LATEST)
         before = 2.0 if at_junction(actor.ledger.situation) else 1.0
+        if turns_at_entry(actor, self.first):
+            before = AT_ENTRY
         if passes_where_it_goes_over(actor):
             before = -(actor.ego.late or 0.0)
         return before + more + soon + self._to_ramp() / actor.ego_speed
