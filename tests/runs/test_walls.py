@@ -468,7 +468,7 @@ def test_an_evaluation_drives_a_strangers_program_in_the_confined_process(
         simulators.append(simulator)
         raise Seen
 
-    monkeypatch.setattr(evaluation, "drive", drive)
+    monkeypatch.setattr(evaluation, "drive_all", drive)
     with pytest.raises(Seen):
         evaluation.evaluate([run.path], tmp_path / "e", egos=["idm"], progress=silent)
     assert [type(simulator) for simulator in simulators] == [ConfinedSimulator]

@@ -104,7 +104,7 @@ def test_all_five_tables_come_from_one_command_and_a_second_call_does_nothing_ag
     figures = ["figures/search.svg", "finetuning/released-paper/figures/finetuning.svg"]
     assert all((tmp_path / "r" / figure).is_file() for figure in figures)
     # Every scene and every ego is there: a second call only reads.
-    monkeypatch.setattr(driving, "drive", None)
+    monkeypatch.setattr(driving, "simulate", None)
     again = api.resume(tmp_path / "r")
     assert isinstance(again, Reproduced)
     assert again.tables == done.tables

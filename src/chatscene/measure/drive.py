@@ -1,7 +1,8 @@
-"""Drive one scene and judge the drive: what was said, how the ego fared, how critical it was, whose doing."""
+"""Drive scenes and judge the drives: what was said, how the ego fared, how critical it was, whose doing."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 from chatscene.ego.asking import fitted
@@ -12,6 +13,7 @@ from chatscene.measure.criticality import criticality, fault
 from chatscene.measure.happening import happened
 from chatscene.measure.score import columns, measure
 from chatscene.measure.speeds import speeds
+from chatscene.measure.sums import BLOCK, sum_up
 from chatscene.measure.tyres import beyond_tyres, friction_demand
 from chatscene.measure.unplayed import unplayed
 from chatscene.program.shown import shown
@@ -67,12 +69,19 @@ class Ran:
 
 
 def drive(program: ScenicProgram, said: Said, scene: Scene, *, simulator: Simulator, ego: EgoPolicy) -> Ran | Rejected:
-    """Drive one scene and judge it.
+    """Drive one scene and judge it, as `drive_all` does."""
+    return drive_all(program, said, [scene], simulator=simulator, ego=ego)[0]
+
+
+def drive_all(
+    program: ScenicProgram, said: Said, scenes: Sequence[Scene], *, simulator: Simulator, ego: EgoPolicy
+) -> list[Ran | Rejected]:
+    """Drive scenes one after another, and judge them as a block.
 
     Args:
         program: What to run.
         said: What was said.
-        scene: The concrete values.
+        scenes: The concrete values of each; what comes of one depends on no other.
         simulator: Where.
         ego: Who drives.
 
@@ -80,13 +89,40 @@ def drive(program: ScenicProgram, said: Said, scene: Scene, *, simulator: Simula
         EgoError: The ego fails.
         ProgramError: The program's own code fails.
     """
-    ego = fitted(ego, program)
+    ego, found = fitted(ego, program), list[Ran | Rejected]()
+    for first in range(0, len(scenes), BLOCK):
+        block = scenes[first : first + BLOCK]
+        driven = [_driven(program, scene, ego, simulator) for scene in block]
+        sum_up([one.episode for one in driven if isinstance(one, _Driven)])
+        found += [
+            _judged(program, said, scene, one, simulator, ego) if isinstance(one, _Driven) else one
+            for scene, one in zip(block, driven, strict=True)
+        ]
+    return found
+
+
+@dataclass(frozen=True, slots=True)
+class _Driven:
+    """A drive, and whether a careful driver would have avoided its collision, or why nobody knows."""
+
+    episode: Episode
+    careful: bool | None
+    unknown: tuple[str, ...]
+
+
+def _driven(program: ScenicProgram, scene: Scene, ego: EgoPolicy, simulator: Simulator) -> _Driven | Rejected:
     episode = simulate(simulator, program, scene, ego)
     if isinstance(episode, Rejected):
         return episode
+    return _Driven(episode, *avoidable_if_driven(episode, program, scene, ego, simulator))
+
+
+def _judged(
+    program: ScenicProgram, said: Said, scene: Scene, driven: _Driven, simulator: Simulator, ego: EgoPolicy
+) -> Ran:
+    episode = driven.episode
     measurements = measure(episode)
     found = shown(said, episode, simulator.route_in(program, scene))
-    careful, unknown = avoidable_if_driven(episode, program, scene, ego, simulator)
     return Ran(
         scene=scene,
         episode=episode,
@@ -99,13 +135,13 @@ def drive(program: ScenicProgram, said: Said, scene: Scene, *, simulator: Simula
         speeds=speeds(episode, friction_demand(episode)),
         happened=happened(episode),
         fault=fault(episode),
-        avoidable=careful,
+        avoidable=driven.careful,
         crash_type=crash_type(episode),
         waits=waits(episode),
         unplayed=(
             *_not_kept_to(program, ego),
             *unplayed(program, episode),
-            *unknown,
+            *driven.unknown,
             *(beyond_tyres(episode) if simulator.identity.at_once else ()),
         ),
     )

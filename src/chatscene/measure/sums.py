@@ -6,13 +6,16 @@
 from __future__ import annotations
 
 import math
+from collections import OrderedDict
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 
 import numpy as np
+from numpy.typing import NDArray
 
 from chatscene.simulate.boxes import CRAWL, FINENESS
-from chatscene.simulate.native.engine import Habits
+from chatscene.simulate.native.engine import Engine, Habits
 from chatscene.simulate.native.lines import engine
 from chatscene.terms.actors import AIR_DRAG, BY_CLASS, LIMITS
 from chatscene.terms.arrays import Array, changes
@@ -32,6 +35,7 @@ FAST = 50.0 / 3.6  # [m/s]
 ACROSS = 4.0  # [m/s²], up to which cars answer to the wheel in proportion (ISO 4138 looks for no more)
 BEHIND = 10.0  # [m] of gap within which one waits behind another
 STANDING = 0.1  # [m/s]
+BLOCK = 16  # drives that are summed up in one call, at most, and of which the numbers are kept
 
 
 @dataclass(frozen=True, slots=True)
@@ -71,36 +75,113 @@ class Sums:
     waits: bool
 
 
-@lru_cache(maxsize=1)
+@dataclass(frozen=True, slots=True, eq=False)
+class Drives:
+    """A block of drives as arrays of scenes, road users and steps, padded to the most of each.
+
+    Their steps are as long in all.
+
+    Attributes:
+        episodes: The drives.
+        about: (scenes, 5) how many steps and road users each has, the step of the ego's first collision and the number
+            of whom it collides with, -1 without one, and in how many rows at the end one stands who waits.
+        states: (scenes, road users, 4, steps) x [m], y [m], heading [rad] and speed [m/s], the ego's first.
+        who: (scenes, road users, 4) half the length and width [m], 1 for an adversary, and by what rolling slows it
+            [m/s²]; not a number of who has no wheels.
+        aside: (scenes, steps) how far the ego is from its route [m].
+    """
+
+    episodes: tuple[Episode, ...]
+    about: NDArray[np.int64]
+    states: Array
+    who: Array
+    aside: Array
+
+    @staticmethod
+    def of(episodes: Sequence[Episode]) -> Drives:
+        """Some drives, one at least, of one simulator."""
+        about = np.array([_about(episode) for episode in episodes], np.int64)
+        scenes, (longest, actors) = len(episodes), about[:, :2].max(axis=0).tolist()
+        states, who, aside = (np.zeros((scenes, *of)) for of in ((actors, 4, longest), (actors, 4), (longest,)))
+        for number, episode in enumerate(episodes):
+            steps, tracks = len(episode.distance_to_route), episode.tracks
+            aside[number, :steps] = episode.distance_to_route
+            who[number, : len(tracks)] = [_who(track) for track in tracks]
+            for row, track in zip(states[number], tracks, strict=False):
+                row[0, :steps], row[1, :steps], row[2, :steps], row[3, :steps] = (
+                    track.x,
+                    track.y,
+                    track.heading,
+                    track.speed,
+                )
+        return Drives(tuple(episodes), about, states, who, aside)
+
+
+def _about(episode: Episode) -> tuple[int, int, int, int, int]:
+    """What `Drives` has about a drive."""
+    tracks, crash = episode.tracks, episode.collision
+    rows = rows_standing(episode.dt, over=episode.ending is Ending.OVER)
+    if crash is None:
+        return len(tracks[0].x), len(tracks), -1, -1, rows
+    struck = next((i for i, track in enumerate(tracks) if track.actor == crash.other), -1)
+    return len(tracks[0].x), len(tracks), crash.step, struck, rows
+
+
+_found: OrderedDict[Episode, Sums] = OrderedDict()
+
+
 def sums(episode: Episode) -> Sums:
-    """The numbers of a drive."""
+    """The numbers of a drive, a block of one if it is of none that was summed up (`sum_up`)."""
+    if (known := _found.get(episode)) is None:
+        sum_up((episode,))
+        known = _found[episode]
+    return known
+
+
+def sum_up(episodes: Sequence[Episode]) -> None:
+    """Find the numbers of a block of drives, so that `sums` has them: of a block as large, and of some before."""
+    if not episodes:
+        return
     if (native := engine()) is None:
         from chatscene.measure.sums_in_numpy import sums_in_numpy
 
-        return sums_in_numpy(episode)
-    tracks, crash = episode.tracks, episode.collision
-    steps = len(tracks[0].x)
-    columns = [column for track in tracks for column in (track.x, track.y, track.heading, track.speed)]
-    states = np.concatenate(columns).reshape(len(tracks), 4, steps)
-    headings = states[:, 2]
-    others = [number for number, track in enumerate(tracks) if track.role is Role.ADVERSARY]
-    told, every, totals, parted = native.sum_up(
-        states,
-        np.cos(headings),
-        np.sin(headings),
-        np.array([_who(track) for track in tracks]),
-        episode.distance_to_route,
-        _habits(episode.dt, episode.ending is Ending.OVER),
-        crash=-1 if crash is None else crash.step,
-        struck=-1 if crash is None else next((i for i, track in enumerate(tracks) if track.actor == crash.other), -1),
-        others=others,
-        parts=FINENESS,
+        found = [sums_in_numpy(episode) for episode in episodes]
+    else:
+        found = _sums(Drives.of(episodes), native)
+    _found.update(zip(episodes, found, strict=True))
+    while len(_found) > max(BLOCK, len(episodes)):
+        _found.popitem(last=False)
+
+
+def _sums(drives: Drives, native: Engine) -> list[Sums]:
+    """The numbers of each drive of a block."""
+    habits = _habits(drives.episodes[0].dt)
+    told, every, paces, least = native.sum_up(
+        drives.about, drives.states, drives.who, drives.aside, habits, parts=FINENESS
     )
+    rows = zip(
+        drives.episodes, drives.about.tolist(), told.tolist(), every.tolist(), paces, least.tolist(), strict=True
+    )
+    return [_one(*row) for row in rows]
+
+
+def _one(
+    episode: Episode,
+    about: list[int],
+    told: list[list[float]],
+    every: list[float],
+    paces: Array,
+    least: list[float],
+) -> Sums:
+    """The numbers of a drive of a block, of its rows of what the engine found."""
+    tracks = episode.tracks
     near, nearest, soon, soonest, braked, braked_at, steered, steered_at, meets, begins, *fast = every
+    others = [number for number, track in enumerate(tracks) if track.role is Role.ADVERSARY]
+    pace, turned, turned_by = np.add.reduce(paces[:, : about[0] - 1], axis=1).tolist()
     return Sums(
         pairs=[tuple(told[number][:5]) for number in others],
-        parted=parted,
-        tyres=tuple((row[5], row[6] > 0.0) for row, track in zip(told, tracks, strict=True) if on_wheels(track.kind)),
+        parted=[] if about[3] in others else [least[number] for number in others],
+        tyres=tuple((row[5], row[6] > 0.0) for row, track in zip(told, tracks, strict=False) if on_wheels(track.kind)),
         apart=(near, int(nearest)),
         seconds=(soon, int(soonest)),
         braked=(braked, int(braked_at)),
@@ -108,8 +189,8 @@ def sums(episode: Episode) -> Sums:
         meets=tracks[int(meets)] if meets >= 0 else None,
         begins=int(begins),
         fast=tuple(fast[:6]),
-        paces=totals[0],
-        turned=(totals[1], totals[2]),
+        paces=pace,
+        turned=(turned, turned_by),
         waits=fast[6] > 0.0,
     )
 
@@ -126,14 +207,13 @@ def _who(track: Track) -> tuple[float, float, float, float]:
 
 
 @lru_cache(maxsize=16)
-def _habits(dt: float, over: bool) -> Habits:
-    """What is looked for, of drives with such a step [s] and ending, in the engine's terms."""
+def _habits(dt: float) -> Habits:
+    """What is looked for in drives with such a step [s], in the engine's terms."""
     return Habits(
         lately=round(LATELY / dt),
         over=steps_in(OVER, dt),
         within=steps_in(WITHIN, dt),
         pause=round(PAUSE / dt),
-        rows=rows_standing(dt, over=over),
         dt=dt,
         crawl=CRAWL,
         as_near=AS_NEAR,

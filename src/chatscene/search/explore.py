@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 from itertools import islice
 
 from chatscene.ego.policy import EgoPolicy
-from chatscene.measure.drive import Ran, drive
+from chatscene.measure.drive import Ran, drive_all
 from chatscene.program.sample import scene_seed
 from chatscene.search.sampler import Proposal, load_sampler, looks_back
 from chatscene.settings import SearchSettings
@@ -118,22 +118,26 @@ def _run_block(
     ego: EgoPolicy,
     settings: SearchSettings,
 ) -> Block:
-    ran: list[Ran] = []
-    rejected: list[Rejected] = []
-    for place in places:
-        for scene in islice(_draws(place, proposal, settings), DRAWN_TRIES if program.drawn else None):
-            outcome = drive(program, said, scene, simulator=simulator, ego=ego)
+    tries = [islice(_draws(place, proposal, settings), DRAWN_TRIES if program.drawn else None) for place in places]
+    ran: dict[int, Ran] = {}
+    rejected: list[list[Rejected]] = [[] for _ in places]
+    left = list(range(len(places)))
+    while left:
+        drawn = [(number, scene) for number in left if (scene := next(tries[number], None)) is not None]
+        came = drive_all(program, said, [scene for _, scene in drawn], simulator=simulator, ego=ego)
+        for (number, _), outcome in zip(drawn, came, strict=True):
             if isinstance(outcome, Ran):
-                ran.append(outcome)
-                break
-            rejected.append(outcome)
+                ran[number] = outcome
+            else:
+                rejected[number].append(outcome)
+        left = [number for number, _ in drawn if number not in ran]
     return Block(
         scenario_id=program.scenario_id,
         route=places[0].route,
         number=places[0].block,
         ranges=proposal.ranges,
-        ran=tuple(ran),
-        rejected=tuple(rejected),
+        ran=tuple(ran[number] for number in sorted(ran)),
+        rejected=tuple(one for of_place in rejected for one in of_place),
     )
 
 

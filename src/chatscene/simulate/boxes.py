@@ -35,7 +35,7 @@ class Boxes:
     half_width: float
 
     @staticmethod
-    @lru_cache(maxsize=KEPT)
+    @lru_cache(maxsize=4 * KEPT)
     def of(track: Track) -> Boxes:
         """At every step."""
         x, y, cos, sin = map(fixed, (track.x, track.y, np.cos(track.heading), np.sin(track.heading)))

@@ -19,7 +19,7 @@ from chatscene import runs
 from chatscene.ego.policy import load_ego
 from chatscene.errors import EgoError, RunError, SettingsError
 from chatscene.maps.carried import CarriedMap
-from chatscene.measure.drive import Ran, drive
+from chatscene.measure.drive import Ran, drive_all
 from chatscene.measure.score import average_displacement
 from chatscene.measure.tables import (
     avoidability_table,
@@ -361,7 +361,7 @@ class _Evaluator:
 
     def _block(self, given: _Given, simulator: Simulator) -> Block:
         task, ego = given.task, load_ego(given.task.ego)
-        outcomes = [drive(given.program, given.said, scene, simulator=simulator, ego=ego) for scene in given.scenes]
+        outcomes = drive_all(given.program, given.said, given.scenes, simulator=simulator, ego=ego)
         return Block(
             scenario_id=given.program.scenario_id,
             route=task.route,

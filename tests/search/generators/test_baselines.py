@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from types import SimpleNamespace
 
@@ -54,14 +54,17 @@ def searched(
     """
     program = program_of(name, BaseScenario.CROSSING_NEGOTIATION)
 
-    def drive(_program: ScenicProgram, _slots: Slots, scene: Scene, **_: object) -> Ran:
+    def drive(scene: Scene) -> Ran:
         shares = {p.name: (scene.values[p.name] - p.low) / (p.high - p.low) for p in program.parameters}
         away = farness(shares)
         if away <= 0.0:
             return replace(CRASHED, scene=scene)
         return replace(MISSED, scene=scene, criticality=replace(MISSED.criticality, distance=10.0 * away))
 
-    monkeypatch.setattr(exploring, "drive", drive)
+    def drive_all(_program: ScenicProgram, _slots: Slots, scenes: Sequence[Scene], **_: object) -> list[Ran]:
+        return [drive(scene) for scene in scenes]
+
+    monkeypatch.setattr(exploring, "drive_all", drive_all)
     return list(
         load_generator(name).explore(
             program,

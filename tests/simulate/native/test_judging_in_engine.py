@@ -15,7 +15,7 @@ from chatscene.maps.loading import load_roads
 from chatscene.maps.network import resolve_map
 from chatscene.maps.routes import find_routes
 from chatscene.measure import avoidability
-from chatscene.measure.sums import Sums, sums
+from chatscene.measure.sums import Sums, sum_up, sums
 from chatscene.measure.sums_in_numpy import sums_in_numpy
 from chatscene.simulate import boxes, cells, roadside
 from chatscene.simulate.cells import Cells
@@ -82,6 +82,30 @@ def test_when_a_crash_becomes_a_risk_is_the_same(monkeypatch: pytest.MonkeyPatch
         episode = _drive(_track(rng, steps), _track(rng, steps, actor="adversary"), steps - 1)
         found.append(_both(monkeypatch, (avoidability,), lambda of=episode: avoidability.risk_step(of, bends)))
     assert {None, 0} < {*found}
+
+
+def _block(rng: np.random.Generator) -> list[Episode]:
+    """Drives of unlike lengths, with unlike numbers of road users, of which every other one ends in a collision."""
+    found: list[Episode] = []
+    for number in range(24):
+        steps = int(rng.integers(2, 160))
+        others = [_track(rng, steps, actor=name) for name in ("adversary", "other", "third")[: 1 + number % 3]]
+        drive = _drive(_track(rng, steps), others[-1], int(rng.integers(0, steps)))
+        aside = np.abs(rng.normal(0.0, 1.0, steps))
+        drive = replace(drive, tracks=(drive.ego_track, *others), distance_to_route=aside)
+        found.append(drive if number % 2 else replace(drive, events=(), ending=Ending.OVER))
+    return found
+
+
+def test_the_sums_of_a_drive_are_the_same_in_a_block_of_any_size() -> None:
+    drives = _block(np.random.default_rng(11))
+    alone = [sums(replace(drive)) for drive in drives]
+    for size in (2, 5, 24):
+        for first in range(0, len(drives), size):
+            block = [replace(drive) for drive in drives[first : first + size]]
+            sum_up(block)
+            assert [sums(drive) for drive in block] == alone[first : first + size]
+    assert any(0.0 < least < math.inf for one in alone for least in one.parted)
 
 
 def test_the_sums_of_a_drive_are_the_same(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -208,7 +208,7 @@ typedef struct {
 
 /* What `sum_up` looks for; `measure.sums` has where each is said. */
 typedef struct {
-    int64_t lately, over, within, pause, rows;
+    int64_t lately, over, within, pause;
     double dt, crawl, as_near, reacts, still, gains, same_way, air, across, fast, standing, behind;
 } Habits;
 
@@ -2144,7 +2144,7 @@ void closest(int64_t steps, const double *found, const double *speed, double cra
 
 /* `boxes.post_encroachment`: of pairs of overlapping boxes, each a step of the first and one of the second, the least
  * time between the two. `a` is the first within its step, in so many parts; the second moves on evenly in its own. */
-double parted(int64_t pairs, const int64_t *i, const int64_t *j, int64_t parts, const Boxes *a, const Boxes *b) {
+static double parted(int64_t pairs, const int64_t *i, const int64_t *j, int64_t parts, const Boxes *a, const Boxes *b) {
     double least = INFINITY;
     for (int64_t n = 0; n < pairs; n++) {
         int64_t apart = i[n] > j[n] ? i[n] - j[n] : j[n] - i[n];
@@ -2167,14 +2167,13 @@ double parted(int64_t pairs, const int64_t *i, const int64_t *j, int64_t parts, 
 }
 
 /* What `boxes.post_encroachment` asks of the engine first: the pairs of moments at which one is where the other is,
- * nearest in time, and where the first is at parts of its step on the way to the other moment. `pairs` and `moments`
- * have room for 8 and for 12 * (parts + 1) numbers of each step. Returns how many pairs there are; -1 if two moments
- * are the same. */
-int64_t shared_places(int64_t steps, const Boxes *a, const double *heading, const Boxes *b, double square,
-                      int64_t parts, int64_t *pairs, double *moments) {
-    int64_t *at = pairs, *first = pairs + steps, *second = first + 4 * steps;
+ * nearest in time, and where the first is at parts of its step on the way to the other moment. `at` has room for a number
+ * of each step, `first` and `second` for four, and each of `moments` for 4 * (parts + 1). Returns how many pairs there
+ * are; -1 if two moments are the same. */
+static int64_t shared_places(int64_t steps, const Boxes *a, const double *heading, const Boxes *b, double square,
+                             int64_t parts, int64_t *at, int64_t *first, int64_t *second, double *moments[3]) {
     for (int64_t i = 0; i < steps; i++) at[i] = i;
-    int64_t count = overlaps(1, steps, a, steps, b, at, steps, square, first, second), all = count * (parts + 1);
+    int64_t count = overlaps(1, steps, a, steps, b, at, steps, square, first, second);
     for (int64_t n = 0; n < count; n++) if (first[n] == second[n]) return -1;
     const double *columns[3] = {a->x, a->y, heading};
     for (int64_t part = 0; part <= parts; part++) {
@@ -2185,7 +2184,7 @@ int64_t shared_places(int64_t steps, const Boxes *a, const double *heading, cons
             for (int k = 0; k < 3; k++) {
                 double now = columns[k][before];
                 if ((double)before != moment) now = (columns[k][before + 1] - now) * (moment - (double)before) + now;
-                moments[k * all + part * count + n] = now;
+                moments[k][part * count + n] = now;
             }
         }
     }
@@ -2350,28 +2349,29 @@ static double reference_yaw(double heading) {
 /* Every number that `chatscene.measure` takes from the tracks of a drive; `measure.sums` has what each is. Of each of
  * `tracks`, the ego's first: `states`, its x, y, heading and speed at each step; `cos` and `sin` of the heading; `who`,
  * half its length and width, 1 for an adversary, and what rolls off its speed, not a number of who has no wheels. */
-void sum_up(int64_t steps, int64_t tracks, int64_t crash, int64_t struck, const double *states, const double *cosines,
-            const double *sines, const double *who, const double *aside, const Habits *h, double *found, double *room,
-            double *told, double *all) {
-    Boxes ego = {states, states + steps, cosines, sines, who[0], who[1]};
-    const double *speed = states + 3 * steps, *heading = states + 2 * steps;
+static void sum_up_one(int64_t steps, int64_t longest, int64_t tracks, int64_t crash, int64_t struck, int64_t rows,
+                       const double *states, const double *cosines, const double *sines, const double *who,
+                       const double *aside, const Habits *h, double *found, double *room, double *told, double *all,
+                       double *paces) {
+    Boxes ego = {states, states + longest, cosines, sines, who[0], who[1]};
+    const double *speed = states + 3 * longest, *heading = states + 2 * longest;
     double *apart = room + 3 * steps, *seconds = apart + steps, least = INFINITY;
     int64_t meets = struck, adversary = 0, until = crash < 0 || crash > steps ? steps : crash > 1 ? crash : 1;
     int64_t pace = steps - 1;
     for (int64_t i = 0; i < steps; i++) apart[i] = seconds[i] = INFINITY;
     for (int64_t k = 0; k < tracks; k++) {
-        const double *state = states + 4 * k * steps, *w = who + 4 * k;
+        const double *state = states + 4 * k * longest, *w = who + 4 * k;
         double *t = told + 8 * k;
         int32_t beyond = 0;
         t[5] = -1.0;
         if (!isnan(w[3])) {
-            t[5] = tyres_did(until, state + 3 * steps, state + 2 * steps, h->dt, w[3], h->air, h->across, h->fast, &beyond);
+            t[5] = tyres_did(until, state + 3 * longest, state + 2 * longest, h->dt, w[3], h->air, h->across, h->fast, &beyond);
         }
         t[6] = beyond;
         if (w[2] == 0.0) continue;
-        Boxes other = {state, state + steps, cosines + k * steps, sines + k * steps, w[0], w[1]};
+        Boxes other = {state, state + longest, cosines + k * longest, sines + k * longest, w[0], w[1]};
         double *f = found + 4 * steps * adversary++, *ahead = f + 2 * steps, *closing = f + 3 * steps;
-        compare_boxes(steps, &ego, speed, &other, state + 3 * steps, f);
+        compare_boxes(steps, &ego, speed, &other, state + 3 * longest, f);
         closest(steps, f, speed, h->crawl, t);
         if (crash < 0 && t[0] < least) { least = t[0]; meets = k; }
         int64_t not_ahead = -h->lately - 1;
@@ -2396,34 +2396,83 @@ void sum_up(int64_t steps, int64_t tracks, int64_t crash, int64_t struck, const 
     all[8] = (double)meets;
     for (int k = 9; k < 16; k++) all[k] = 0.0;
     if (meets >= 0) {
-        const double *state = states + 4 * meets * steps;
+        const double *state = states + 4 * meets * longest;
         int64_t last = crash < 0 ? (int64_t)told[8 * meets + 1] : until > 1 ? until - 1 : 0;
-        int32_t same_way = cos(state[2 * steps + last] - heading[last]) > h->same_way;
-        all[9] = (double)braking_begins(last + 1, speed, state + 3 * steps, h->reacts, h->still, h->pause, same_way,
+        int32_t same_way = cos(state[2 * longest + last] - heading[last]) > h->same_way;
+        all[9] = (double)braking_begins(last + 1, speed, state + 3 * longest, h->reacts, h->still, h->pause, same_way,
                                         h->gains, room, all + 10);
     }
     for (int64_t i = 0; i < pace; i++) {
         double vx = speed[i + 1] * cosines[i + 1] - speed[i] * cosines[i];
         double vy = speed[i + 1] * sines[i + 1] - speed[i] * sines[i];
-        room[i] = hypot(vx, vy);
-        room[pace + i] = fabs(reference_yaw(heading[i + 1]) - reference_yaw(heading[i]));
-        room[2 * pace + i] = fabs(heading[i + 1] - heading[i]);
+        paces[i] = hypot(vx, vy);
+        paces[longest + i] = fabs(reference_yaw(heading[i + 1]) - reference_yaw(heading[i]));
+        paces[2 * longest + i] = fabs(heading[i + 1] - heading[i]);
     }
     /* Whether the ego stands at the end, and somebody who stands as well is as near as one who waits for him. */
-    int64_t since = h->rows < steps ? steps - h->rows : 0;
+    int64_t since = rows < steps ? steps - rows : 0;
     all[16] = 0.0;
     for (int64_t k = 0; crash < 0 && k < tracks; k++) {
-        const double *state = states + 4 * k * steps;
+        const double *state = states + 4 * k * longest;
         int stands = 1;
-        for (int64_t i = steps - 1; i >= since && stands; i--) stands = fabs(state[3 * steps + i]) < h->standing;
+        for (int64_t i = steps - 1; i >= since && stands; i--) stands = fabs(state[3 * longest + i]) < h->standing;
         if (!k && !stands) break;
         if (!k || !stands) continue;
-        Boxes other = {state, state + steps, cosines + k * steps, sines + k * steps, who[4 * k], who[4 * k + 1]};
+        Boxes other = {state, state + longest, cosines + k * longest, sines + k * longest, who[4 * k], who[4 * k + 1]};
         for (int64_t i = steps - 1; i >= since && all[16] == 0.0; i--) {
             Apart p;
             apart_at(&ego, i, &other, i, &p);
             double gap = overlapping(&p) ? 0.0 : lesser(corner_gap(&ego, &other, i), corner_gap(&other, &ego, i));
             if (gap < h->behind) all[16] = 1.0;
         }
+    }
+}
+
+/* The numbers of a block of drives. `states` are of so many scenes, road users, columns and steps, the others alike.
+ * `about` has of each scene how many steps and road users it has, at which step the ego collides first and with whom,
+ * -1 without one, and in how many rows at its end one stands who waits. `room` is for 5 numbers of each of the longest
+ * drive's steps and 4 more for each road user, `paces` for 3 of each scene. Of two who come to the same places, `counts` has where their
+ * pairs of moments begin and how many there are (`shared_places`). Returns how many there are in all. */
+int64_t sum_up(int64_t scenes, int64_t actors, int64_t longest, int64_t parts, const int64_t *about, const double *states,
+               const double *cosines, const double *sines, const double *who, const double *aside, const Habits *h,
+               double *room, double *told, double *all, double *paces, int64_t *counts, int64_t *first, int64_t *second,
+               double *x, double *y, double *turned) {
+    int64_t begin = 0;
+    for (int64_t s = 0; s < scenes; s++) {
+        int64_t steps = about[5 * s], tracks = about[5 * s + 1], struck = about[5 * s + 3];
+        const double *state = states + 4 * s * actors * longest, *w = who + 4 * s * actors;
+        const double *c = cosines + s * actors * longest, *z = sines + s * actors * longest;
+        Boxes ego = {state, state + longest, c, z, w[0], w[1]};
+        sum_up_one(steps, longest, tracks, about[5 * s + 2], struck, about[5 * s + 4], state, c, z, w, aside + s * longest,
+                   h, room + 5 * longest, room, told + 8 * s * actors, all + 17 * s, paces + 3 * s * longest);
+        int met = struck >= 0 && w[4 * struck + 2] != 0.0;
+        for (int64_t k = 0; k < actors; k++) {
+            int64_t *count = counts + 2 * (s * actors + k);
+            const double *of = w + 4 * k, *at = state + 4 * k * longest;
+            count[0] = begin;
+            count[1] = 0;
+            if (k >= tracks || of[2] == 0.0 || met) continue;
+            Boxes other = {at, at + longest, c + k * longest, z + k * longest, of[0], of[1]};
+            double reach = hypotenuse(w[0], w[1]) + hypotenuse(of[0], of[1]) + 1e-6;
+            double *moments[3] = {x + begin * (parts + 1), y + begin * (parts + 1), turned + begin * (parts + 1)};
+            count[1] = shared_places(steps, &ego, state + 2 * longest, &other, reach * reach, parts, (int64_t *)room,
+                                     first + begin, second + begin, moments);
+            if (count[1] > 0) begin += count[1];
+        }
+    }
+    return begin;
+}
+
+/* Of each of those pairs the least time [steps] between one leaving a place and the other coming to it: inf without such
+ * places, 0 where both are at one at the same time. Cosines and sines of `turned` are given. */
+void part(int64_t scenes, int64_t actors, int64_t longest, int64_t parts, const double *states, const double *cosines,
+          const double *sines, const double *who, const int64_t *counts, const int64_t *first, const int64_t *second,
+          const double *x, const double *y, const double *cosine, const double *sine, double *least) {
+    for (int64_t pair = 0; pair < scenes * actors; pair++) {
+        int64_t count = counts[2 * pair + 1], at = counts[2 * pair], from = at * (parts + 1);
+        const double *state = states + 4 * pair * longest, *ego = who + 4 * (pair / actors * actors), *w = who + 4 * pair;
+        Boxes mine = {x + from, y + from, cosine + from, sine + from, ego[0], ego[1]};
+        Boxes other = {state, state + longest, cosines + pair * longest, sines + pair * longest, w[0], w[1]};
+        least[pair] = count < 0 ? 0.0 : count ? parted(count, first + at, second + at, parts, &mine, &other) : INFINITY;
     }
 }

@@ -298,7 +298,7 @@ class Habits(Structure):
     """What `sum_up` looks for; `chatscene.measure.sums` has each."""
 
     _fields_ = (
-        *((name, c_int64) for name in ("lately", "over", "within", "pause", "rows")),
+        *((name, c_int64) for name in ("lately", "over", "within", "pause")),
         *((name, c_double) for name in ("dt", "crawl", "as_near", "reacts", "still", "gains", "same_way")),
         *((name, c_double) for name in ("air", "across", "fast", "standing", "behind")),
     )
@@ -359,13 +359,8 @@ _FUNCTIONS: dict[str, tuple[Any, ...]] = {
     ),
     "near_any": (None, c_int64, c_void_p, c_void_p, c_int64, c_void_p, c_void_p, c_double, c_void_p),
     "closest": (None, c_int64, c_void_p, c_void_p, c_double, c_void_p),
-    "parted": (c_double, c_int64, c_void_p, c_void_p, c_int64, POINTER(Boxes), POINTER(Boxes)),
-    "shared_places": (
-        c_int64,
-        *(c_int64, POINTER(Boxes), c_void_p, POINTER(Boxes)),
-        *(c_double, c_int64, c_void_p, c_void_p),
-    ),
-    "sum_up": (None, *[c_int64] * 4, *[c_void_p] * 5, POINTER(Habits), *[c_void_p] * 4),
+    "sum_up": (c_int64, *[c_int64] * 4, *[c_void_p] * 6, POINTER(Habits), *[c_void_p] * 10),
+    "part": (None, *[c_int64] * 4, *[c_void_p] * 12),
     "first_risk": (
         c_int64,
         *(c_int64, c_int64, c_void_p, POINTER(Course), c_void_p, c_void_p),
@@ -512,98 +507,54 @@ class Engine:
         )
         return found[0, :count], found[1, :count]
 
-    def _parted(self, a: Boxes, heading: int, b: Boxes, steps: int, parts: int) -> float:
-        """The least time [steps] between one leaving a place and the other coming to it; see `boxes`.
-
-        Args:
-            a: One at each step.
-            heading: Where its headings [rad] are in memory.
-            b: The other at each step.
-            steps: How many there are.
-            parts: Into how many parts a step is cut.
-        """
-        square = reach_squared((a.half_length, a.half_width), (b.half_length, b.half_width))
-        work = np.empty((9 + 12 * (parts + 1)) * steps)
-        places = _at(work)
-        at = places + 72 * steps
-        count: int = self._library.shared_places(
-            *(steps, ctypes.byref(a), heading, ctypes.byref(b), square, parts, places, at)
-        )
-        if count <= 0:
-            return 0.0 if count else math.inf
-        every = (parts + 1) * count
-        turned = work[9 * steps + 2 * every : 9 * steps + 3 * every]
-        cos, sin = np.cos(turned), np.sin(turned)
-        mine = Boxes(at, at + 8 * every, _at(cos), _at(sin), a.half_length, a.half_width)
-        first = places + 8 * steps
-        least: float = self._library.parted(
-            *(count, first, first + 32 * steps, parts, ctypes.byref(mine), ctypes.byref(b))
-        )
-        return least
-
     def sum_up(
-        self,
-        states: Array,
-        cos: Array,
-        sin: Array,
-        who: Array,
-        aside: Array,
-        habits: Habits,
-        *,
-        crash: int,
-        struck: int,
-        others: list[int],
-        parts: int,
-    ) -> tuple[list[list[float]], list[float], list[float], list[float]]:
-        """The numbers of a drive; see `chatscene.measure.sums`.
+        self, about: NDArray[np.int64], states: Array, who: Array, aside: Array, habits: Habits, parts: int
+    ) -> tuple[Array, Array, Array, Array]:
+        """The numbers of a block of drives; see `chatscene.measure.sums`.
 
         Args:
-            states: (tracks, 4, T) x, y, heading and speed, the ego's first.
-            cos: (tracks, T) of the headings.
-            sin: (tracks, T) of the headings.
-            who: (tracks, 4) half the length and width [m], 1 for an adversary, and by what rolling slows it [m/s²]; not
-                a number of who has no wheels.
-            aside: (T,) how far the ego is from its route [m].
+            about: (scenes, 5) how many steps and road users each has, the step of the ego's first collision and the
+                number of whom it collides with, -1 without one, and in how many rows at the end one stands who waits.
+            states: (scenes, road users, 4, steps) x, y, heading and speed, the ego's first.
+            who: (scenes, road users, 4) half the length and width [m], 1 for an adversary, and by what rolling slows it
+                [m/s²]; not a number of who has no wheels.
+            aside: (scenes, steps) how far the ego is from its route [m].
             habits: What is looked for.
-            crash: The step of the ego's first collision; -1 without one.
-            struck: The number of the track that it collides with; -1 without one.
-            others: The numbers of the adversaries.
             parts: Into how many parts a step is cut to time who leaves a place and who comes to it.
 
         Returns:
-            Eight numbers of each track, seventeen of the drive, three sums over its steps; and of each adversary the
-            least time [steps] between one leaving a place and the other coming to it, if the ego collides with none.
+            (scenes, road users, 8) numbers of each road user, (scenes, 17) of each drive, (scenes, 3, steps) what is to
+            be added up over the steps; and (scenes, road users) of each adversary the least time [steps] between one
+            leaving a place and the other coming to it, if the ego collides with none.
         """
-        tracks, _, steps = states.shape
-        states, cos, sin, who, aside = (np.ascontiguousarray(of, np.float64) for of in (states, cos, sin, who, aside))
-        if not (states.size == 4 * cos.size == 4 * sin.size == 4 * tracks * steps and who.shape == (tracks, 4)):
-            raise ValueError(f"states of {states.shape} and directions of {cos.shape} are no drive")
-        if len(aside) != steps or struck >= tracks or int(who[:, 2].sum()) != len(others):
-            raise ValueError(f"{len(aside)} distances are none of {steps} steps, or there is no track {struck}")
-        own = 8 * tracks
-        work = np.empty(own + 17 + (5 + 4 * len(others)) * steps)
-        at = _at(work)
-        room = at + 8 * (own + 17)
-        state, cosines, sines = map(_at, (states, cos, sin))
-        self._library.sum_up(
-            *(steps, tracks, crash, struck, state, cosines, sines, _at(who)),
-            *(_at(aside), ctypes.byref(habits), room + 40 * steps, room, at, at + 8 * own),
+        scenes, actors, _, longest = states.shape
+        given = states, who, aside
+        if not all(of.flags.c_contiguous and of.dtype == np.float64 for of in given) or about.dtype != np.int64:
+            raise ValueError("the arrays of a block are not numbers one after the other")
+        if (about.shape, who.shape, aside.shape) != ((scenes, 5), (scenes, actors, 4), (scenes, longest)):
+            raise ValueError(f"{who.shape} road users and {aside.shape} distances are none of {states.shape}")
+        if about[:, 0].max() > longest or about[:, 1].max() > actors or not (about[:, 3] < about[:, 1]).all():
+            raise ValueError(f"a scene has more steps or road users than {states.shape}")
+        turned = states[:, :, 2]
+        cos, sin = np.cos(turned), np.sin(turned)
+        pairs = 4 * int(about[:, 0] @ about[:, 1])
+        counts, moments = np.empty((scenes, actors, 2), np.int64), np.empty((2, pairs), np.int64)
+        room = np.empty((5 + 4 * actors) * longest)
+        told, every, paces = np.empty((scenes, actors, 8)), np.empty((scenes, 17)), np.empty((scenes, 3, longest))
+        places, least = np.empty((3, pairs * (parts + 1))), np.empty((scenes, actors))
+        shape = scenes, actors, longest, parts
+        state, cosine, sine, body = map(_at, (states, cos, sin, who))
+        first, x, count = _at(moments), _at(places), _at(counts)
+        second, y, heading = first + 8 * pairs, x + places.strides[0], x + 2 * places.strides[0]
+        found: int = self._library.sum_up(
+            *(*shape, _at(about), state, cosine, sine, body, _at(aside), ctypes.byref(habits), _at(room)),
+            *(_at(told), _at(every), _at(paces), count, first, second, x, y, heading),
         )
-        first, paces = own + 17, steps - 1
-        totals = np.add.reduce(work[first : first + 3 * paces].reshape(3, paces), axis=1)
-        boxes = [
-            Boxes(
-                state + 32 * steps * k,
-                state + (32 * k + 8) * steps,
-                cosines + 8 * k * steps,
-                sines + 8 * k * steps,
-                *of,
-            )
-            for k, of in enumerate(who[:, :2].tolist())
-        ]
-        met = struck in others
-        parted = [] if met else [self._parted(boxes[0], state + 16 * steps, boxes[k], steps, parts) for k in others]
-        return work[:own].reshape(tracks, 8).tolist(), work[own:first].tolist(), totals.tolist(), parted
+        there = places[2, : found * (parts + 1)]
+        cos, sin = np.cos(there), np.sin(there)
+        ways = map(_at, (cos, sin, least))
+        self._library.part(*shape, state, cosine, sine, body, count, first, second, x, y, *ways)
+        return told, every, paces, least
 
     def first_risk(
         self,
