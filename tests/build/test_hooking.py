@@ -86,3 +86,28 @@ def test_who_takes_priority_that_it_has_not_comes_from_the_left_where_nothing_ru
     road = {"kind": "junction", "control": "none"}
     assert 'trafficFrom(egoRoute, "right")' in build(from_plain({"road": road, "others": [one]})).program.source
     assert 'trafficFrom(egoRoute, "left")' in build(from_plain({"road": road, "others": [breaks]})).program.source
+
+
+def test_who_brakes_before_it_hooks_off_turns_in_beside_who_waits_there() -> None:
+    does = [{"act": one} for one in ("overtake", "brake", "turn-right")]
+    turns = {"id": "A", "kind": "car", "starts": {"where": "behind-beside", "side": "left"}, "does": does}
+    waits = {"id": "B", "kind": "car", "role": "supporting", "starts": {"where": "driveway", "side": "right"}}
+    situation = from_plain(
+        {
+            "ego": {"kind": "bicycle", "speed": "25 km/h"},
+            "others": [turns, waits | {"does": [{"act": "stand"}]}],
+            "road": {"has": ["driveway"]},
+        }
+    )
+    built = build(situation)
+    assert "mouth=8" in built.map
+    assert built.lacking == ()
+    episode = drive(built, seed=1)
+    assert isinstance(episode, Episode)
+    route = simulator(built.map, "native").route(built.program, 0)
+    a, b = (next(one for one in episode.tracks if one.actor == name) for name in ("A", "B"))
+    in_there = float(np.min(np.hypot(a.x - b.x, a.y - b.y)))
+    assert 2.3 < in_there < 6.0  # beside it, and not into it
+    aside = np.abs([route.line.project(x, y)[1] for x, y in zip(a.x, a.y, strict=True)])
+    assert float(aside.max()) > 8.0
+    assert float(a.speed[-1]) < 0.5

@@ -190,8 +190,9 @@ def test_who_is_ahead_and_turns_off_between_junctions_does_so_at_a_driveway(
     built = build(from_plain({"others": [turns], "road": {"kind": "road"}}))
     assert f"driveway={side}" in built.map
     assert built.lacking == ()
-    place = "egoRoute.eventAt - 6 + " if before == ["stand"] else "> egoRoute.eventAt + -4.5"
-    assert place in built.program.source
+    source = built.program.source
+    assert ("egoRoute.eventAt - 6 + " in source) is (before == ["stand"])
+    assert f'offA = wayOff(egoRoute, "{side}")' in source
 
 
 def test_rails_are_laid_where_a_road_is_laid_for_something_else() -> None:

@@ -136,6 +136,36 @@ def test_who_stands_before_the_ego_stands_before_the_rails() -> None:
     assert -4.0 < nose - route.event_at < -2.0
 
 
+@pytest.mark.parametrize(("turn", "aside"), [("turn-left", 3.5), ("turn-right", 0.0)])
+def test_who_turns_out_of_a_driveway_comes_into_the_lane_that_it_turns_to(turn: str, aside: float) -> None:
+    out = {"id": "A", "kind": "car", "starts": {"where": "driveway", "side": "right"}, "does": [{"act": turn}]}
+    built = made(out, ego={"speed": "50 km/h"})
+    assert built.lacking == built.left_out == ()
+    episode = drive(built, seed=1, ego="idm")
+    assert isinstance(episode, Episode)
+    route = simulator(built.map, "native").route(built.program, 0)
+    (one,) = (track for track in episode.tracks if track.actor == "A")
+    lateral = [route.line.project(x, y)[1] for x, y in zip(one.x, one.y, strict=True)]
+    assert lateral[0] < -1.75 - 0.5 * one.length - 3.0  # well inside
+    assert lateral[-1] == pytest.approx(aside, abs=0.6)
+
+
+def test_nobody_in_a_driveway_begins_with_its_nose_in_the_lane() -> None:
+    out = {"id": "A", "kind": "truck", "starts": {"where": "driveway", "side": "right"}, "does": [{"act": "enter"}]}
+    (least,) = (one.low for one in made(out).program.parameters if one.name == "OPT_A_X")
+    assert least > 0.5 * UserKind.TRUCK.row.body.row.limits.length
+
+
+def test_a_hedge_that_hides_who_comes_out_of_a_driveway_stands_along_that() -> None:
+    out = {"id": "A", "kind": "truck", "starts": {"where": "driveway", "side": "right"}, "hidden_by": "B"}
+    hedge = {"id": "B", "kind": "hedge", "role": "hides", "starts": {"where": "roadside", "side": "right"}}
+    signed = {"has": ["driveway"], "control": "priority"}
+    built = made(out | {"does": [{"act": "enter"}]}, hedge, road=signed)
+    assert "driveway=right" in built.map
+    (line,) = (one for one in built.program.source.splitlines() if "new Hedge" in one)
+    assert "facing crossingDirection(egoRoute, levelA - 2.25" in line
+
+
 def test_a_bus_stop_is_where_a_bus_stands_or_stops_on_its_own_side() -> None:
     bus = {"id": "B", "kind": "bus", "role": "supporting"}
     stands = bus | {"starts": {"where": "oncoming"}, "does": [{"act": "stand"}]}

@@ -343,7 +343,7 @@ class Actor:
         if OWN in text and self._lane_ends:
             text = text.replace(OWN, "{own}")
         first = one if self.count > 1 else "self"
-        for mark in ("next", "beside", "ours", "home", "own", "exit"):
+        for mark in ("next", "beside", "ours", "home", "own", "exit", "off"):
             text = text.replace(f"{{{mark}}}", f"{mark}{one}")
         row = name_of(self.first.one.id) if self.first is not None else one
         marks = {"p": f"way{one}", "i": one, "first": first, "row": row, "we": EGO}

@@ -13,9 +13,10 @@ from chatscene.build.deeds import GO
 from chatscene.build.numbers import Numbers
 from chatscene.build.place import AT_JUNCTION, Found, arm_of, at_roundabout, from_left, ring_arms, room_against, way_of
 from chatscene.build.timing import Body, Course, Meeting, course
-from chatscene.errors import NotBuilt
+from chatscene.errors import NoSuchPlace, NotBuilt
 from chatscene.maps.crossings import MEETING, CrossingPath, conflicting_paths, passing_path
 from chatscene.maps.ring_ways import ROUND
+from chatscene.maps.ways_off import ways_out
 from chatscene.terms.scenario import Maneuver
 from chatscene.terms.situation import Other, Situation
 from chatscene.terms.vocabulary import Act, Heads, Side, Where, acts_of
@@ -27,6 +28,7 @@ if TYPE_CHECKING:
 
 EARLIEST, LATEST = 1.5, 1.5  # [s] sooner or later than the ego at most, of whom a distance or a speed was said
 FAR_OFF = 1.4, 1.8  # of the ego's speed: who comes so fast is so far off that who waits before it hides it
+AT_MOUTH, INSIDE = (0.5, 2.0), (4.0, 8.0)  # [m] from the road to the nose of who waits in a driveway, or comes out
 AT_LINE = 1.0, 3.0  # [m] before the junction, from nose to line, that somebody stands who waits there
 THROUGH = acts_of(Heads.THROUGH)
 _HALF_TURN = 14.0  # [m] of turning round
@@ -50,6 +52,39 @@ def through(asked: Asked) -> Stand:
     if not _meets(asked.found, arm, turn):
         way = "opposite(egoRoute)"
     return _on_its_way(asked, way, found, f"maximum(2, way{{i}}.entry - $Y{asked.less})")
+
+
+def out_of_driveway(asked: Asked, turn: Maneuver) -> Stand:
+    """In a driveway out of which it turns onto the road: some way inside, so that it does not stop at its mouth.
+
+    Raises:
+        NotBuilt: The road has no driveway there, or nobody who turns so comes over the ego's way.
+    """
+    route, side = asked.found.route, asked.side
+    ways = {way.turn: way for way in ways_out(route.network, route.route, side)}
+    if (found := ways.get(turn)) is None:
+        raise NoSuchPlace(
+            f"no map has such a place: others.{asked.one.id} needs a driveway on our {side}, out of which a {turn}"
+            " leads over our way"
+        )
+    half = 0.5 * asked.numbers.row.limits.length
+    near, far = (half + end for end in (AT_MOUTH if asked.stands else INSIDE))
+    deepest = found.entry - 1.0
+    asked.numbers.measure("Y", min(near, deepest - 0.5), min(far, deepest), "m", "how far from the road its middle is")
+    level = route.line.project(*found.line.point_at(0.0))[0] - route.eventAt
+    return Stand(
+        meets=Meets.THROUGH,
+        way=f'wayOf(outOfDriveway(egoRoute, "{side}"), "{turn}")',
+        at="maximum(1, way{i}.entry - $Y)",
+        lines=(
+            "meet{i} = way{i}.meets_at",
+            "egoMeet{i} = way{i}.ego_meets_at",
+            f"level{{i}} = egoRoute.eventAt + {level:.3g}",
+        ),
+        ego_meets="egoMeet{i}",
+        left="distanceLeft(way{i}, {first}, meet{i})",
+        found=found,
+    )
 
 
 def way_through(situation: Situation, found: Found, one: Other) -> CrossingPath | None:

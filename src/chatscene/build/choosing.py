@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from chatscene.build.asked import FROM_A_STAND, Meets
+from chatscene.build.asked import FROM_A_STAND, Meets, stands_first
 from chatscene.build.contact import sideswiped_at, touches
 from chatscene.build.deeds import (
     ALONG,
@@ -27,7 +27,7 @@ from chatscene.build.deeds import (
     STEPS_BACK,
     Steps,
     gets_by,
-    hooks,
+    leaving_road,
     lets_by,
     passes_against,
     pulls_out,
@@ -39,7 +39,7 @@ from chatscene.build.deeds import (
     yielding_to,
 )
 from chatscene.build.gaps import eases, stops_before
-from chatscene.build.hooking import hooks_at
+from chatscene.build.hooking import hooks_at, leaves_at
 from chatscene.build.leaving import leaves_road
 from chatscene.build.local import check_round, way_to_turn_round
 from chatscene.build.naming import name_of
@@ -52,9 +52,11 @@ from chatscene.build.sideways import takes_long
 from chatscene.build.towards import done_to
 from chatscene.build.turning_round import TURNS_AT
 from chatscene.errors import NothingBuilds
+from chatscene.maps.ways_off import turns_at
 from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.situation import EGO, Deed
 from chatscene.terms.vocabulary import ASIDE, COMES_IN, GOES_ON, Act, Heads, Role, Where, acts_of
+from chatscene.world.places import wayOff
 
 if TYPE_CHECKING:
     from chatscene.build.actor import Actor
@@ -141,11 +143,17 @@ def _off_the_road(actor: Actor, k: int) -> Iterator[tuple[Act, Steps]]:
 
 def _turning_off(actor: Actor, k: int) -> Iterator[tuple[Act, Steps]]:
     """The rows of who goes along the road and turns off it: in the ego's lane, or after it has passed the ego."""
-    act = actor.deeds[k].act
+    act, route = actor.deeds[k].act, actor.found.route
     if actor.one.starts.where in (Where.AHEAD, Where.BEHIND):
         yield act, turning_off(act, junction=at_junction(actor.ledger.situation))
-    if hooks_at(actor) == k:
-        yield act, hooks(act, driveway=not at_junction(actor.ledger.situation))
+    side = "left" if act is Act.TURN_LEFT else "right"
+    at = turns_at(route.network, route.route, side)
+    if at is None or not (leaves_at(actor) == k or hooks_at(actor) == k):
+        return
+    actor.named["off"] = side
+    driveway = route.route.junction is None
+    ends = wayOff(route, side).length if driveway else None
+    yield act, leaving_road(at - route.eventAt, ends, comes=not stands_first(actor.one))
 
 
 def _changing_lanes(actor: Actor, k: int) -> Iterator[tuple[Act, Steps]]:

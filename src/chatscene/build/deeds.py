@@ -293,17 +293,23 @@ def turning_off(act: Act, *, junction: bool) -> Steps:
     )
 
 
-_INTO_DRIVEWAY = -4.5
-"""The same before a driveway: half as wide as that, less the radius of the turn."""
+def leaving_road(at: float, ends: float | None, *, comes: bool) -> Steps:
+    """How somebody leaves the ego's road along the way that leads into an arm of its junction, or into a driveway.
 
-
-def hooks(act: Act, *, driveway: bool) -> Steps:
-    """How somebody who has passed the ego turns off at the junction, or at the driveway: it slows down before that."""
-    at = f"egoRoute.eventAt + {_INTO_DRIVEWAY if driveway else _ENTRY[act]:g}"
-    along = "progressOn(egoRoute, self)[0]"
-    comes = f"DrivePath({{p}}, $SPEED) until {along} + brakingDistance(self) / {EASES:g} > {at}"
-    does = (comes, _TO_TURN, f"DrivePath({{p}}, $SLOW) until {along} > {at}", OFF[act])
-    return Steps(does=does, last=(*does, "MoveAhead($SLOW)"), binds={"speed": "SLOW"})
+    Args:
+        at: How far [m] beyond the event of the ego's way that begins to turn.
+        ends: How long [m] that way is, at the end of which it halts; None where it leads on.
+        comes: Whether it comes driving, and so slows down before.
+    """
+    begins, along = f"egoRoute.eventAt {'-' if at < 0.0 else '+'} {abs(at):.3g}", "progressOn(egoRoute, self)[0]"
+    slows = (f"DrivePath({{p}}, $SPEED) until {along} + brakingDistance(self) / {EASES:g} > {begins}", _TO_TURN)
+    off = "DrivePath({off}, $SLOW)"
+    left = f"distanceLeft({{off}}, self, {ends:.1f}) < brakingDistance(self) + self.length / 2 + 1" if ends else ""
+    before, binds = slows if comes else (), {"speed": "SLOW"}
+    does, last = (*before, f"{off} for 3 seconds"), (*before, off)
+    if ends:
+        does = last = (*before, f"{off} until {left}", "Halt()")
+    return Steps(does=does, last=last, way="{off}", binds=binds)
 
 
 def turning_round(radius: float, speed: float, *, first: float = 0.0, back: float = 0.0) -> Steps:

@@ -28,6 +28,7 @@ from chatscene.build.place import (
     only_others_stop,
     only_side_signs,
     room_against,
+    shares_driveway,
     turns_in,
 )
 from chatscene.build.queries import queries_for
@@ -39,6 +40,7 @@ from chatscene.maps.open_road import BLOCKER_AT, CHANGE_AT, OPEN_ROAD, PASSING, 
 from chatscene.maps.road_spec import Signs
 from chatscene.maps.routes import APPROACHES, ELSEWHERE
 from chatscene.maps.sites import APPROACHED, PASSED, PAST
+from chatscene.maps.ways_off import NARROWEST
 from chatscene.situations.check import TO_A_SIDE
 from chatscene.situations.facts import said_in
 from chatscene.terms.amount import Length
@@ -496,6 +498,8 @@ def _lack_signs_and_ways(ledger: Ledger, found: Found) -> None:
     situation = ledger.situation
     if any(found.query.get("site") != DRIVEWAYS[side] for side in turns_in(situation)):
         ledger.lack("the road has no driveway to turn into, since no suitable one has")
+    if shares_driveway(situation) and not (found.laid is not None and found.laid.mouth > NARROWEST):
+        ledger.lack("the driveway is too narrow for two, since no suitable road has a wider one")
     signed = found.laid is not None and found.laid.signs in (Signs.SIDE_STOP, Signs.SIDE_YIELD)
     if only_others_stop(situation) and not signed:
         ledger.lack("the others' stop sign is not shown, since no map has one for the others only")

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING
 
 from chatscene.build.asked import Meets
@@ -18,6 +18,7 @@ from chatscene.terms.vocabulary import Side, Where
 if TYPE_CHECKING:
     from chatscene.build.actor import Actor
 
+TO_LANES, BY_DRIVEWAY = 0.5, 0.6  # [m] from the lanes to the end of a hedge along a driveway; between it and who is in
 BETWEEN = 1.2  # [m] between things in a row
 OFF = 0.1  # [m] between the lane and the side of what hides somebody
 BEYOND = 2.5  # [m] outside the lanes, about the middle of who hides somebody
@@ -34,12 +35,10 @@ def place_hiding(actor: Actor, hidden: Actor, n: int) -> tuple[str, str]:
     """Where the n-th of it stands between the ego and whom it hides: nearer to the ego and farther in turn."""
     if backs(actor.ledger.situation):
         return place_beside(actor, hidden, n)
-    if hidden.stand.meets is Meets.THROUGH and hidden.one.starts.where is Where.ARM:
+    by_place = _by_whom_it_hides(actor, hidden)
+    if by_place is not None:
         actor.ledger.take(f"{hidden.path}.hidden_by")
-        return _at_corner(actor, hidden, n)
-    if hidden.stand.meets is Meets.KERB:
-        actor.ledger.take(f"{hidden.path}.hidden_by")
-        return _before_it(actor, hidden, n)
+        return by_place(actor, hidden, n)
     if hidden.stand.meets is not Meets.ACROSS or "besideRoad" not in hidden.stand.point:
         raise NothingBuilds(
             f"cannot be built yet: {actor.one.id} hiding a road user that starts {hidden.one.starts.where}"
@@ -62,9 +61,16 @@ def place_hiding(actor: Actor, hidden: Actor, n: int) -> tuple[str, str]:
         return f"pointOn(egoRoute, {at}, {aside:.3g})", f"directionOn(egoRoute, {at})"
     if between_bays(actor.found):
         return _in_bay(actor, hidden, n)
+    return _beside_road(actor, hidden, n)
+
+
+def _beside_road(actor: Actor, hidden: Actor, n: int) -> tuple[str, str]:
+    """Where the n-th of it stands along the edge of the road, before whom it hides and behind in turn."""
+    side = str(hidden.one.starts.side)
     length = actor.limits.length or 1.2
     off = 0.5 * actor.limits.width + OFF  # so that it is beside the lane, and not in it
     beyond, aside = max(1.2, off), hidden.numbers.middle("X")
+    aside -= 0.5 * hidden.limits.length if _drives_out(hidden) else 0.0
     away = _room(actor, hidden, aside) + 0.5 * length + n // 2 * (length + BETWEEN)
     if aside > BEYOND and n % 2 == 0:  # it comes from farther off the road, and what hides it stands there, too
         beyond = max(off, aside - BEYOND)
@@ -73,6 +79,29 @@ def place_hiding(actor: Actor, hidden: Actor, n: int) -> tuple[str, str]:
         away = max(away, (aside - beyond) / over * far)
     at = f"level{name_of(hidden.one.id)} {'+' if n % 2 else '-'} {away:g}"
     return f'besideRoad(egoRoute, {at}, "{side}", {beyond:.3g})', f"directionOn(egoRoute, {at})"
+
+
+def _by_whom_it_hides(actor: Actor, hidden: Actor) -> Callable[[Actor, Actor, int], tuple[str, str]] | None:
+    """What says where somebody stands that hides another who is at a corner, in a row, or in a driveway; else None."""
+    if hidden.stand.meets is Meets.THROUGH and hidden.one.starts.where is Where.ARM:
+        return _at_corner
+    if hidden.stand.meets is Meets.KERB:
+        return _before_it
+    long = actor.lies and actor.limits.length > actor.limits.width and actor.count == 1
+    same_side = actor.one.starts.side in (None, hidden.one.starts.side)
+    return _along_driveway if long and same_side and _drives_out(hidden) else None
+
+
+def _drives_out(hidden: Actor) -> bool:
+    """Whether somebody comes driving out of a driveway, of whom the nose is hidden and not the middle."""
+    return hidden.one.starts.where is Where.DRIVEWAY and not hidden.walks
+
+
+def _along_driveway(actor: Actor, hidden: Actor, _n: int) -> tuple[str, str]:
+    """Where a hedge or a wall stands beside the driveway out of which somebody comes, from near the lanes outwards."""
+    at = f"level{name_of(hidden.one.id)} - {0.5 * (hidden.limits.width + actor.limits.width) + BY_DRIVEWAY:.3g}"
+    side, beyond = str(hidden.one.starts.side), TO_LANES + 0.5 * actor.limits.length
+    return f'besideRoad(egoRoute, {at}, "{side}", {beyond:.3g})', f'crossingDirection(egoRoute, {at}, "{side}")'
 
 
 def _in_our_lane(actor: Actor) -> float | None:

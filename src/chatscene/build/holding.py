@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 
-from chatscene.build.place import AT_CROSSWALKS, DROPS, Found, at_junction, beside_ramp
+from chatscene.build.place import AT_CROSSWALKS, DROPS, Found, at_junction, at_signed_driveway, beside_ramp
 from chatscene.maps.limits import is_called
 from chatscene.maps.road_spec import Along, LaidRoad
 from chatscene.maps.settings import is_two_way, lies_in
@@ -81,7 +81,7 @@ def as_said(situation: Situation, found: Found) -> Iterator[str]:
         "road.control": (road.control in CONTROLS and "control" in query)
         or (road.control is RightOfWay.YIELD_SIGN and (site == Site.ROUNDABOUT or "control" in query))
         or (road.control is RightOfWay.NONE and site == Site.CROSSWALK)
-        or (road.control is RightOfWay.PRIORITY and "control" in query),
+        or (road.control is RightOfWay.PRIORITY and ("control" in query or at_signed_driveway(situation))),
         "road.two_way": road.two_way is is_two_way(first),
         "road.speed_limit": road.speed_limit is not None and _is_limit(road.speed_limit, found),
         "road.radius": found.laid is not None and found.laid.bend is not None and _is_kind(road.kind, found),

@@ -8,11 +8,13 @@ from chatscene.build.asked import Meets, stands_first
 from chatscene.build.coming import wanted_by
 from chatscene.build.deeds import EASES, OFF
 from chatscene.build.gaps import seconds_to_get_by
-from chatscene.build.place import DRIVEWAYS, NEXT_LANE, at_junction, hooks_off, turns_in_ahead
+from chatscene.build.place import DRIVEWAYS, NEXT_LANE, at_junction, hooks_off, passed_before, turns_in_ahead
 from chatscene.build.sideways import USUAL
 from chatscene.maps.open_road import OPEN_ROAD
 from chatscene.maps.routes import APPROACHES
 from chatscene.maps.sites import PAST
+from chatscene.maps.ways_off import turns_at
+from chatscene.terms.vocabulary import Act
 
 if TYPE_CHECKING:
     from chatscene.build.actor import Actor
@@ -37,6 +39,26 @@ def hooks_at(actor: Actor) -> int | None:
     return next(turns, None)
 
 
+def slows_to_turn(actor: Actor, k: int) -> str:
+    """When somebody must slow down by its k-th deed who turns off then; empty of who slows down anywhere."""
+    slows = actor.deeds[k].act in (Act.BRAKE, Act.SLOW_DOWN) and actor.deeds[k].when is None
+    if not slows or hooks_at(actor) != k + 1:
+        return ""
+    route, side = actor.found.route, "left" if actor.deeds[k + 1].act is Act.TURN_LEFT else "right"
+    if (at := turns_at(route.network, route.route, side)) is None:
+        return ""
+    begins = at - route.eventAt
+    where = f"egoRoute.eventAt {'-' if begins < 0.0 else '+'} {abs(begins):.3g}"
+    return f"progressOn(egoRoute, self)[0] + brakingDistance(self) / {EASES:g} > {where}"
+
+
+def leaves_at(actor: Actor) -> int | None:
+    """The number of the deed by which somebody who stands ahead turns into a driveway; None of who does not."""
+    deeds, stands = actor.deeds, stands_first(actor.one) and actor.stand.meets is Meets.ALONG
+    turns = (k for k in range(len(deeds)) if stands and _at_driveway(actor) and turns_in_ahead(actor.one, k))
+    return next(turns, None)
+
+
 def _at_driveway(actor: Actor) -> bool:
     return actor.found.query.get("site") in DRIVEWAYS.values()
 
@@ -51,10 +73,10 @@ def road_to_turn(actor: Actor) -> float:
     """How far [m] from where the ego is somebody turns who then begins to pass it, comes back and slows down."""
     k = hooks_at(actor)
     assert k is not None
-    numbers, fast = actor.numbers, f"FAST_{k - 1}"
-    if not hooks_off(actor.one, k):
+    numbers, passed = actor.numbers, passed_before(actor.one, k)
+    if passed is None:
         return numbers.range_of("Y")[1] + _slows(actor, actor.along_speed) + STEADY * actor.ego_speed
-    passes = seconds_to_get_by(actor, k - 1)
+    passes, fast = seconds_to_get_by(actor, passed), f"FAST_{passed}"
     ahead = numbers.middle("AHEAD") + 0.5 * (actor.limits.length + actor.ego_limits.length)
     slows = _slows(actor, numbers.middle(fast))
     return actor.ego_speed * passes + ahead + USUAL * numbers.middle(fast) + slows

@@ -20,11 +20,12 @@ from chatscene.build.place import (
     leaves_by_ramp,
     only_side_signs,
     rides_at_edge,
+    shares_driveway,
     turns_in,
 )
 from chatscene.errors import MapError
 from chatscene.maps.limits import KMH
-from chatscene.maps.road_spec import LENGTH, LONGEST, Along, Bend, LaidRoad, Meets, Ramp, Sides, Signs
+from chatscene.maps.road_spec import LENGTH, LONGEST, MOUTH, Along, Bend, LaidRoad, Meets, Ramp, Sides, Signs
 from chatscene.terms.amount import Speed
 from chatscene.terms.situation import Other, Situation
 from chatscene.terms.vocabulary import (
@@ -43,6 +44,7 @@ from chatscene.terms.vocabulary import (
 MEDIAN, MOTORWAY_MEDIAN = 3.0, 4.0  # [m]
 PASSABLE = 2.6  # [m], each of two lanes in which cars pass each other at a creep
 HARD_SHOULDER = 3.0  # [m]
+WIDE = 8.0  # [m] of a driveway in which somebody waits while another turns in
 BENDS_AT = 2.5  # [m/s²] across, that a bend takes whose radius was not said
 OUTSIDE_TOWN = 60 * KMH  # [m/s], from which on a road of which no setting was said lies outside a town
 RAMPS_LONG = 1500  # [m] of a motorway with a ramp in its middle
@@ -105,7 +107,8 @@ def _road_for(situation: Situation, *, rides: bool) -> LaidRoad | None:
             bend=_bend(situation) if road.kind in _BENDS and junction is None else None,
             crosswalk=not drop and (Feature.CROSSWALK in has or bool(places & AT_CROSSWALKS)),
             bus_bay=bay,
-            driveway=_driveway(situation) if junction is None and not drop else None,
+            driveway=(driveway := _driveway(situation) if junction is None and not drop else None),
+            mouth=WIDE if driveway is not None and shares_driveway(situation) else MOUTH,
             drop=drop and ends is not Side.LEFT,
             drop_left=ends is Side.LEFT,
             ramp=ramp,

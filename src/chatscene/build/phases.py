@@ -26,7 +26,7 @@ from chatscene.build.gaps import (
     seconds_to_get_by,
 )
 from chatscene.build.halting import halts_at
-from chatscene.build.hooking import AT_ENTRY, hooks_at, take_road_to_turn, turns_at_entry
+from chatscene.build.hooking import AT_ENTRY, hooks_at, slows_to_turn, take_road_to_turn, turns_at_entry
 from chatscene.build.lateral import led_aside
 from chatscene.build.local import breaks, check_turn
 from chatscene.build.numbered import held_at, of_deed, renamed
@@ -267,7 +267,7 @@ class Phases:
         for k in range(first, len(actor.deeds)):
             steps, deed = self.steps[k], actor.deeds[k]
             body: list[str] = []
-            if k > first and (near := goes_round(actor, k) or halts_at(actor, k)):
+            if k > first and (near := goes_round(actor, k) or halts_at(actor, k) or slows_to_turn(actor, k)):
                 body.append(f"{self._at(k, meanwhile)} until {near}")
             elif k > first and deed.when is not None:
                 changes = steps.pace in (Pace.GAINS, Pace.LOSES)
@@ -437,5 +437,5 @@ class Phases:
 
 def _before_turn(body: list[str]) -> Iterator[str]:
     """What is done before somebody turns off or round: it slows down to what it turns with."""
-    turns = next((n for n, text in enumerate(body) if text.startswith("TurnOff(")), 0)
+    turns = next((n for n, text in enumerate(body) if text.startswith(("TurnOff(", "DrivePath({off}"))), 0)
     yield from (text for text in body[:turns] if "until self.pose[3] <" in text)

@@ -92,7 +92,7 @@ def at_junction(situation: Situation) -> bool:
     return not elsewhere and (
         road.kind in (RoadKind.JUNCTION, RoadKind.THREE_WAY, RoadKind.FOUR_WAY)
         or situation.ego.route in TURNS
-        or (control_of(situation) is not None and not at_free_crosswalk(situation))
+        or (control_of(situation) is not None and not (at_free_crosswalk(situation) or at_signed_driveway(situation)))
         or any(one.starts.where.row.junction for one in others if one.starts.where not in ROUNDABOUT_PLACES)
         or any(deed.act is Act.GO_STRAIGHT for one in others for deed in one.does)
         or (goes_on and road.kind is None and any(_turns_across(one) for one in others))
@@ -118,11 +118,35 @@ def turns_in(situation: Situation) -> Iterator[Side]:
                 yield Side.LEFT if deed.act is Act.TURN_LEFT else Side.RIGHT
 
 
+def turns_out(one: Other) -> Maneuver | None:
+    """To which side somebody turns who comes out of a driveway and was said to; None of who was not."""
+    first = next((deed.act for deed in one.does if deed.act not in (Act.STAND, Act.SET_OFF, Act.GO_ALONG)), None)
+    drives = one.starts.where is Where.DRIVEWAY and one.kind.moves in (Moves.DRIVES, Moves.RIDES)
+    return WAYS.get(first) if drives and first is not None else None
+
+
+def shares_driveway(situation: Situation) -> bool:
+    """Whether somebody is in a driveway into which another turns."""
+    into = {*turns_in(situation)}
+    return any(
+        one.starts.where is Where.DRIVEWAY and (one.starts.side or Side.RIGHT) in into for one in situation.others
+    )
+
+
 def hooks_off(one: Other, k: int) -> bool:
-    """Whether somebody turns off by its k-th deed just after it passed the ego."""
-    deed, before = one.does[k], one.does[k - 1] if k else None
-    passed = before is not None and before.act is Act.OVERTAKE and before.done_to == EGO
-    return passed and deed.act in WAYS and deed.when is None
+    """Whether somebody turns off by its k-th deed just after it passed the ego, or passed it and slowed down."""
+    return one.does[k].act in WAYS and one.does[k].when is None and passed_before(one, k) is not None
+
+
+def passed_before(one: Other, k: int) -> int | None:
+    """The number of the deed by which somebody passed the ego who does nothing until its k-th but to slow down."""
+    for n in range(k - 1, -1, -1):
+        deed = one.does[n]
+        if deed.act is Act.OVERTAKE and deed.done_to == EGO:
+            return n
+        if deed.act not in (Act.BRAKE, Act.SLOW_DOWN) or deed.when is not None:
+            return None
+    return None
 
 
 def turns_in_ahead(one: Other, k: int) -> bool:
@@ -215,6 +239,12 @@ def at_free_crosswalk(situation: Situation) -> bool:
         one.starts.where is Where.CROSSING for one in situation.others
     )
     return marked and situation.road.control is RightOfWay.NONE
+
+
+def at_signed_driveway(situation: Situation) -> bool:
+    """Whether the sign that was said is that of a driveway, out of which somebody comes, and not of a junction."""
+    places = {one.starts.where for one in situation.others}
+    return situation.road.control is RightOfWay.PRIORITY and situation.road.kind is None and Where.DRIVEWAY in places
 
 
 def beside_lane(situation: Situation) -> bool:

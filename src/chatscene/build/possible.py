@@ -52,7 +52,7 @@ _FROM: dict[Tempo | Heads | Act, frozenset[Where]] = {
     Heads.ACROSS: OFF_ROAD | {Where.ARM, Where.ROUNDABOUT_ENTRY, Where.IN_ROUNDABOUT},
     Heads.OUT: frozenset((Where.AHEAD, Where.BEHIND)),
     Heads.OVER: _LANES - {Where.ARM} | _EDGE | {Where.ON_RAMP},
-    Heads.TURNS: _LANES,
+    Heads.TURNS: _LANES | {Where.DRIVEWAY},
     Heads.BACK: OFF_ROAD | {Where.AHEAD, Where.ARM},
     Act.OPEN_DOOR: _EDGE | {Where.AHEAD, Where.AHEAD_BESIDE, Where.BESIDE, Where.ONCOMING},
     Heads.DRIFTS: frozenset(Where) - OFF_ROAD | _EDGE,

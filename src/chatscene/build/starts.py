@@ -6,7 +6,15 @@ import math
 from collections.abc import Callable
 from dataclasses import replace
 
-from chatscene.build.arriving import comes_along, comes_back, roundabout, slow_enough, so_far_back, through
+from chatscene.build.arriving import (
+    comes_along,
+    comes_back,
+    out_of_driveway,
+    roundabout,
+    slow_enough,
+    so_far_back,
+    through,
+)
 from chatscene.build.asked import ROOM, Asked, Meets, Stand, bolts, goes_slowly, stands_first, stops_ahead
 from chatscene.build.backing import comes_by, out_of, parked_beside
 from chatscene.build.contact import comes_to_stand, is_held_up, strikes_from_behind, touches
@@ -34,6 +42,7 @@ from chatscene.build.place import (
     is_marked,
     lane_beside,
     turns_in_ahead,
+    turns_out,
 )
 from chatscene.build.relations import falls_behind, goes_with, slows_on_its_way, speed_of
 from chatscene.build.screening import AT_EDGE, IN_SHADOW, from_its_lane, shadowed
@@ -41,6 +50,7 @@ from chatscene.build.timing import Body
 from chatscene.build.turning_round import so_far_ahead
 from chatscene.errors import NoSuchPlace, NotBuilt, NothingBuilds
 from chatscene.maps.equipment import bus_bay
+from chatscene.maps.ways_off import IN_AT, NARROWEST, OUT_AT
 from chatscene.terms.backing import backs
 from chatscene.terms.conclusions import LANE_CHANGES
 from chatscene.terms.nouns import with_article
@@ -344,6 +354,8 @@ LEVEL_FOR = 2.0  # [s] after which who cannot be as fast as the ego has fallen b
 POINTED = 3.5, 4.5  # [m] behind the junction, of whom a point of the ego's width meets: there it has come about
 ON_CROSSWALK = (0.7, 3.3)  # [m] from where a crosswalk begins
 IN_DRIVEWAY = (1.5, 3.5)  # [m] from where a driveway begins
+BEHIND_KERB = 2.0  # [m] farther than at the kerb is who comes out of an alley, on foot or on two wheels
+ABREAST = 0.2  # [m] to either side of where it is, who is in a driveway into which another turns
 BEFORE_DRIVEWAY = (0.0, 2.0)  # [m] from 6 m before one, where who turns into it begins to
 ON_RAILS = (0.6, 0.8)  # [m] from where a track begins
 
@@ -439,7 +451,10 @@ def _in_driveway(asked: Asked) -> str:
     """Where along the ego's way a driveway is, which is as far on each route."""
     if asked.one.starts.distance is not None:
         return asked.at_event(*IN_DRIVEWAY, "the driveway is", "how far beyond the driveway's edge it is")
-    event, (low, high) = asked.found.route.eventAt, IN_DRIVEWAY
+    event, (low, high), laid = asked.found.route.eventAt, IN_DRIVEWAY, asked.found.laid
+    if laid is not None and laid.mouth > NARROWEST:  # in its right half, seen from there
+        own = laid.mouth * (OUT_AT if asked.side == Side.RIGHT else IN_AT)
+        low, high = own - ABREAST, own + ABREAST
     asked.reach(event + low, event + high)
     return "$Y"
 
@@ -448,6 +463,9 @@ def _beside_road(asked: Asked) -> Stand:
     """On foot or on two wheels beside the road, or in a driveway: it faces the road."""
     if backs(asked.situation) and out_of(asked.situation):
         return comes_by(asked)
+    if asked.one.starts.where is Where.DRIVEWAY:  # none of it is in the lane, and who is narrow is not at the kerb
+        narrow = asked.walks or not asked.one.kind.row.body.row.motorised
+        asked.numbers.move("X", 0.5 * asked.numbers.row.limits.length + (BEHIND_KERB if narrow else 0.0))
     level = _level_of(asked)
     there = f"level{{i}}{asked.more}"
     point = f'besideRoad(egoRoute, {there}, "{asked.side}", $X)'
@@ -478,6 +496,11 @@ def _beside_road(asked: Asked) -> Stand:
         asked.numbers.move("Y", DRIVES * asked.ego.speed)
     asked.numbers.narrow("X", *(AT_EDGE if behind is stand else IN_SHADOW))
     return behind
+
+
+def _driveway(asked: Asked) -> Stand:
+    turn = None if backs(asked.situation) else turns_out(asked.one)
+    return _beside_road(asked) if turn is None else out_of_driveway(asked, turn)
 
 
 def _kerb(asked: Asked) -> Stand:
@@ -553,7 +576,7 @@ STARTS: dict[Where, Callable[[Asked], Stand]] = {
     Where.ARM: through,
     Where.ROADSIDE: _beside_road,
     Where.KERB: _kerb,
-    Where.DRIVEWAY: _beside_road,
+    Where.DRIVEWAY: _driveway,
     Where.CROSSING: _beside_road,
     Where.BUS_BAY: _bus_bay,
     Where.EXIT: _exit,

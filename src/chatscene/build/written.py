@@ -85,6 +85,8 @@ class Written:
             yield f"ours{one} = against(ownLane(egoRoute))"
         if f"exit{one}" in body:
             yield f"exit{one} = offRamp(egoRoute)"
+        if f"off{one}" in body:
+            yield f'off{one} = wayOff(egoRoute, "{self.actor.named["off"]}")'
         if f"home{one}" in body:
             yield f'home{one} = neighbourPath(egoRoute, "left")'
 

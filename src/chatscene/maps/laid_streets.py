@@ -119,7 +119,7 @@ def street_of(road: LaidRoad, street: Street, length: float) -> Street:
         bus_lane=road.bus_lane and street.id in (1, 2) and street.lanes > 1,
         ridden=road.ridden and street.id in (1, 2) and street.lanes > 1,
         crosswalks=(Crosswalk(at=middle),) if road.crosswalk and road.junction is None else (),
-        driveways=tuple(Driveway(right=right, at=middle) for right in _on(road.driveway)),
+        driveways=tuple(Driveway(right=right, at=middle, width=road.mouth) for right in _on(road.driveway)),
     )
 
 

@@ -14,6 +14,7 @@ from chatscene.maps.writing.streets import LANE
 
 PREFIX = "road:"
 LENGTH = 600  # [m]
+MOUTH = 5.0  # [m] of a driveway
 MOST_LANES, WIDEST, NARROWEST = 6, 6.0, 2.5
 LONGEST, SHORTEST = 5000, 300  # [m]
 TIGHTEST, FLATTEST = 30, 3000  # [m] of radius
@@ -129,6 +130,7 @@ class LaidRoad:
         crosswalk: Whether one leads across its middle, or across each arm of its junction.
         bus_bay: Whether a bay for buses lies on its right.
         driveway: On which side a driveway leads off its middle.
+        mouth: How wide that is [m].
         drop: Whether its outermost lane ends before its middle.
         drop_left: Whether its innermost lane does, of a divided road.
         ramp: Which ramp it has ahead, with a lane beside the others that leads to it or ends beyond it.
@@ -157,6 +159,7 @@ class LaidRoad:
     crosswalk: bool = False
     bus_bay: bool = False
     driveway: Sides | None = None
+    mouth: float = MOUTH
     drop: bool = False
     drop_left: bool = False
     ramp: Ramp | None = None
@@ -209,6 +212,7 @@ class LaidRoad:
             (self.ramp is not None and not (self._plain() and self.along is Along.MOTORWAY and self.median), _RAMP),
             (self.drop_left and (self.drop or not self.median), "one lane ends, and the innermost into a median"),
             (self.bus_bay and self.parking is not None, "one parks beside no road that has a bay for buses"),
+            (not 2.0 <= self.mouth <= 12.0, "a driveway is 2 to 12 m wide"),
             (self.driveway is not None and self.junction is not None, "a driveway leads off between junctions"),
             (radius <= self._inside(), "what lies inside its bend is wider than the bend's radius"),
             (self.bus_bay and (self.bend is not None or self.junction is not None), "a bay lies on a straight road"),
@@ -299,6 +303,7 @@ _READ: Mapping[str, Callable[[str], Any]] = {
     "parking": Sides,
     "bend": _bend,
     "driveway": Sides,
+    "mouth": float,
     "junction": Meets,
     "side": int,
     "ring": int,

@@ -161,7 +161,7 @@ class Feature(Word):
     TRAM_TRACK = ("tram-track", "rails in the road")
     MEDIAN = ("median", "grass or a barrier between the directions")
     SHOULDER = ("shoulder", "a hard shoulder")
-    DRIVEWAY = ("driveway", "a driveway, a gate or a track off the road")
+    DRIVEWAY = ("driveway", "a driveway, an alley, a gate or a track off the road")
     NARROW = ("narrow", "no room for two cars abreast")
     ROADWORKS = ("roadworks", "a work zone that narrows the road")
     LANE_DROP = ("lane-drop", "a lane that ends")
@@ -345,7 +345,7 @@ class Where(RowWord):
     ARM = ("arm", "on an arm to the side of the junction", WhereRow(sided=True, junction=True))
     ROADSIDE = ("roadside", "beside the road in front, on foot, on two wheels or an animal", WhereRow(sided=True))
     KERB = ("kerb", "a vehicle that stands at the edge of the road (kerb, curb), in front", WhereRow(sided=True))
-    DRIVEWAY = ("driveway", "a vehicle in a driveway or at a gate, in front", WhereRow(sided=True))
+    DRIVEWAY = ("driveway", "in a driveway, an alley or a gate, in front", WhereRow(sided=True))
     CROSSING = ("crossing", "at a crosswalk over the ego's own road, in front", WhereRow(sided=True))
     EXIT = ("exit", "in the lane that the ego turns into, behind the junction", WhereRow(junction=True))
     EXIT_CROSSING = (
@@ -494,12 +494,12 @@ class Act(RowWord):
     )
     TURN_LEFT = (
         "turn-left",
-        "turns to its own left at a junction or off the road",
+        "turns to its own left at a junction, off the road, out of a driveway",
         _act(WHEELS, "speed acceleration time", Heads.TURNS),
     )
     TURN_RIGHT = (
         "turn-right",
-        "turns to its own right at a junction or off the road",
+        "the same to its own right",
         _act(WHEELS, "speed acceleration time", Heads.TURNS),
     )
     U_TURN = ("u-turn", "turns round on the road", _act(WHEELS, "speed", Heads.ROUND))

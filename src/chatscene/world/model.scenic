@@ -22,9 +22,9 @@ from chatscene.world.stories import PlayStory, TakePart
 from chatscene.world.ego_route import choose_route as _choose_route, route_along as _route_along
 from chatscene.world.places import (adjacentPath, against, asideOf, backFrom, besideRoad, brakingDistance,
     crossingDirection, directionOn, distanceLeft, extended, gap, headway, lanesBeside, lastLane, leftAt, levelOn, lineThrough, onward,
-    maximum, neighbourPath, offRamp, offsetFrom, oncomingPath, opposite, ownLane, ownWay, pointOn, progressOn, restsWithin, ringTraffic,
+    maximum, neighbourPath, offRamp, offsetFrom, oncomingPath, opposite, outOfDriveway, ownLane, ownWay, pointOn, progressOn, restsWithin, ringTraffic,
     secondsTo, shortOfJunction, speedOn, straightOn, timeTo, trafficFrom,
-    unplaced as _unplaced, waitingTraffic, wayOf, wholeLane, wheelbase_of as _wheelbase_of)
+    unplaced as _unplaced, waitingTraffic, wayOf, wayOff, wholeLane, wheelbase_of as _wheelbase_of)
 from chatscene.terms.actors import LIMITS as _LIMITS
 from chatscene.terms.actors import PROPS as _PROPS
 from chatscene.terms.order import Order

@@ -22,6 +22,7 @@ from chatscene.maps.lane_runs import centre_line, lane_runs
 from chatscene.maps.neighbours import oncoming_line, opposes, section_beside
 from chatscene.maps.ramp_lines import off_ramp_line
 from chatscene.maps.ring_ways import line_beside, ring_ways
+from chatscene.maps.ways_off import way_off, ways_out
 from chatscene.terms.actors import LIMITS, kind_of
 from chatscene.terms.nouns import with_article
 from chatscene.terms.pace import NOMINAL, Pace
@@ -248,6 +249,36 @@ def wayOf(traffic: tuple[CrossingPath, ...], turns: str | tuple[str, ...], lane:
 def _to_left(path: CrossingPath, way: CrossingPath) -> float:
     """How far [m] a way enters a junction to the left of another."""
     return way.line.project(*path.line.point_at(path.entry))[1]
+
+
+def outOfDriveway(route: EgoRoute, side: str) -> tuple[CrossingPath, ...]:  # noqa: N802
+    """The ways of vehicles that come out of the driveway beside the ego's way, and turn onto its road.
+
+    Args:
+        route: The ego's.
+        side: On which side of it the driveway is, ``left`` or ``right``.
+
+    Raises:
+        MapError: There is none, or nobody from there meets the ego's way.
+    """
+    if not (found := ways_out(route.network, route.route, side)):
+        raise MapError(f"route {route.route.id!r} has no driveway on its {side} from which somebody meets it")
+    return found
+
+
+def wayOff(route: EgoRoute, side: str) -> Polyline:  # noqa: N802
+    """The way off the ego's road to a side, from the ego's lane: into the arm of its junction, or into the driveway.
+
+    Args:
+        route: The ego's.
+        side: ``left`` or ``right``.
+
+    Raises:
+        MapError: Nothing leads off there.
+    """
+    if (line := way_off(route.network, route.route, side)) is None:
+        raise MapError(f"route {route.route.id!r} has no way off to its {side}")
+    return line
 
 
 def adjacentPath(route: EgoRoute) -> Polyline:  # noqa: N802
