@@ -60,3 +60,9 @@ def test_the_ego_comes_as_fast_as_who_slows_down_to_a_speed_ahead_of_it() -> Non
     episode = drive(built)
     assert isinstance(episode, Episode), episode
     assert next(one for one in episode.tracks if one.actor == "A").speed.min() == pytest.approx(100 / 3.6, rel=0.1)
+
+
+@pytest.mark.parametrize(("does", "told"), [(("stand",), False), (("stand", "set-off"), True)])
+def test_of_an_ego_that_only_stands_no_speed_is_told(does: tuple[str, ...], told: bool) -> None:
+    built = beside("bicycle", "behind-beside", "right", "straight", does=[{"act": act} for act in does])
+    assert any("the ego drives at" in one for one in built.assumed) is told

@@ -115,11 +115,11 @@ def ego_of(ledger: Ledger, found: Found, at_most: float = NOMINAL.speed) -> Buil
     ledger.take("ego.kind")
     keeps = keeps_limits(situation)
     beside = Ledger(at_own_speeds(situation, speed))
-    if held := [one.at_most for one in _orders(beside, ego.does, 0.0, speed, {}) if _all_along(one)]:
+    all_along = [one.at_most for one in _orders(beside, ego.does, 0.0, speed, {}) if _all_along(one)]
+    if held := [at_most for at_most in all_along if 0.0 < at_most < math.inf]:
         speed, keeps = min(speed, *held), False  # which is as fast as it ever is
     elif ego.speed is None:  # others are timed by it, so that it is wanted of every ego
-        ledger.take("road.speed_limit")
-        ledger.assume(_drives_at(speed, ledger, found.route if keeps else None))
+        _assume_speed(speed, ledger, found.route if keeps else None, drives=0.0 not in all_along)
     wanted = f", with wantedSpeed {fastest(ego.does, speed):.4g}" + (", with keepsLimits True" if keeps else "")
     stands = bool(ego.does) and ego.does[0].act in FROM_A_STAND
     at_line = stands and junction
@@ -181,6 +181,13 @@ def _over_in_time(ledger: Ledger, route: Route) -> None:
         ledger.assume(f"the ego is in the next lane {over:.0f} m after it begins")
 
 
+def _assume_speed(speed: float, ledger: Ledger, kept: Route | None, *, drives: bool) -> None:
+    """Tell what speed [m/s] was chosen for the ego, if it drives at all; `kept` is its route, if it keeps limits."""
+    ledger.take("road.speed_limit")
+    if drives:
+        ledger.assume(_drives_at(speed, ledger, kept))
+
+
 def _drives_at(speed: float, ledger: Ledger, kept: Route | None) -> str:
     """What a speed [m/s] that was chosen for the ego comes to, in words; `kept` is its route, if it keeps limits."""
     situation, drives, why = ledger.situation, speed, ""
@@ -226,9 +233,8 @@ def stops_across(deeds: tuple[Deed, ...]) -> bool:
 
 
 def _all_along(order: Order) -> bool:
-    """Whether an order lets the ego drive, and holds from the beginning to the end."""
-    always = order.since <= 0.0 and order.till == order.place * -1 == math.inf and not order.whom
-    return always and 0.0 < order.at_most < math.inf
+    """Whether an order holds from the beginning to the end."""
+    return order.since <= 0.0 and order.till == order.place * -1 == math.inf and not order.whom
 
 
 def _written(order: Order) -> str:
