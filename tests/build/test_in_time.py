@@ -6,6 +6,7 @@ import random
 import re
 from typing import Any
 
+import numpy as np
 import pytest
 from test_building import drive, simulator
 
@@ -216,3 +217,14 @@ def test_what_only_lies_there_holds_no_speed() -> None:
 @pytest.mark.parametrize("speed", [12, 20, 30])
 def test_who_rides_over_the_road_at_a_speed_comes_at_it(speed: int) -> None:
     assert unseen(somebody("bicycle", "roadside", deed("cross", speed=f"{speed} km/h"))) == ()
+
+
+def test_who_stood_ahead_and_speeds_away_is_slow_yet_when_the_ego_closes_in() -> None:
+    said = somebody("car", "ahead", deed("stand"), deed("set-off"), deed("accelerate"))
+    episode = drive(build(said), seed=1)
+    assert isinstance(episode, Episode), episode
+    ego, other = episode.tracks
+    steps = min(len(ego.x), len(other.x))
+    gap = np.hypot(other.x[:steps] - ego.x[:steps], other.y[:steps] - ego.y[:steps])
+    assert float(gap.min()) < 50.0
+    assert float(other.speed[int(gap.argmin())]) < 45 / 3.6

@@ -17,7 +17,7 @@ from chatscene.build.over_lanes import lane_after
 from chatscene.build.paces import CRAWLS, Pace
 from chatscene.build.place import LANE, NEXT_LANE, at_junction, leaves_by_ramp
 from chatscene.build.timing import Course, course
-from chatscene.terms.vocabulary import INTO_OURS, Act
+from chatscene.terms.vocabulary import INTO_OURS, Act, Tempo, acts_of
 
 if TYPE_CHECKING:
     from chatscene.build.phases import Phases
@@ -135,7 +135,8 @@ class UnderWay:
             case Meets.KERB:  # it is in the lane once it has gone its own length and the width of a lane
                 return self.phases.body.covers(actor.limits.length + LANE, self._wish()) + more
             case Meets.ALONG if stands_first(actor.one) and not stand.behind:
-                return self._from_a_stand() + more
+                gains = actor.deeds[-1].act in acts_of(Tempo.GAINS)  # the ego closes in on it while it is slow yet
+                return self._from_a_stand() + (0.0 if gains else more)
             case _:
                 return self._going_along(more)
 
