@@ -100,6 +100,7 @@ FACT = "others.A.does.0.act: said brake, but it never does"
     ("missing", "told"),
     [
         (((FACT,), ("the scene cannot be placed",), (FACT,)), f"none of 2 drives shows {FACT}"),
+        (((FACT,), (), (FACT,), ()), f"none of 2 drives by {rehearsal.EGO} shows {FACT}"),
         (
             (("unasked.contact: the ego and B touch, which the text does not say",),) * 3,
             "all 3 drives show something that was not said: the ego and B touch, which the text does not say",

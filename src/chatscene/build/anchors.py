@@ -12,6 +12,7 @@ from chatscene.terms.situation import Other
 from chatscene.terms.vocabulary import COMES_IN, Act, Heads, Role, Side, Where, acts_of
 
 OUT = (2.0, 6.0)  # [m] between who has swung out and whom it passes, from and to
+BEFORE_OUT = (10.0, 14.0)  # [m], the same, of who has not swung out yet
 _CLEAR = 1.5  # [m] between who crosses and who stands before it
 _COMES_ACROSS = COMES_IN | acts_of(Heads.MERGES, Heads.OVER)
 _FROM_SIDE = frozenset((Where.ROADSIDE, Where.DRIVEWAY, Where.KERB))
@@ -30,7 +31,8 @@ def anchor_of(one: Other, others: Sequence[Other]) -> tuple[Other, float] | None
         if _keeps_level(one, other, others):
             return other, 0.0
         if passed_at_distance(one, other):
-            return other, -0.5 * (length + body.length) - 0.5 * sum(OUT)
+            apart = OUT if other.starts.where is Where.ONCOMING_IN_OUR_LANE else BEFORE_OUT
+            return other, -0.5 * (length + body.length) - 0.5 * sum(apart)
         if _lets_across(one, other):
             room = 0.5 * (length + body.width) + _CLEAR  # before its nose
             return other, room if one.starts.where in AGAINST else -room
@@ -38,8 +40,8 @@ def anchor_of(one: Other, others: Sequence[Other]) -> tuple[Other, float] | None
 
 
 def passed_at_distance(one: Other, other: Other) -> bool:
-    """Whether somebody is passed by another who comes against the ego and is out already, so far away as was said."""
-    against = one.starts.where in AGAINST and other.starts.where is Where.ONCOMING_IN_OUR_LANE
+    """Whether somebody is passed by another who comes against the ego, so far away as was said."""
+    against = one.starts.where in AGAINST and other.starts.where in AGAINST
     return against and passes(other, one) and other.starts.distance is not None
 
 

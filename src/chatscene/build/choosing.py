@@ -8,7 +8,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from chatscene.build.asked import FROM_A_STAND, Meets, stands_first
-from chatscene.build.contact import sideswiped_at, touches
+from chatscene.build.contact import misses, sideswiped_at, touches
 from chatscene.build.deeds import (
     ALONG,
     AS_FAST_BEHIND,
@@ -29,6 +29,7 @@ from chatscene.build.deeds import (
     gets_by,
     leaving_road,
     lets_by,
+    near_to_pass,
     passes_against,
     pulls_out,
     seen_to_pass,
@@ -61,6 +62,7 @@ from chatscene.world.places import wayOff
 if TYPE_CHECKING:
     from chatscene.build.actor import Actor
 
+NEAR_ITS_OWN = 0.6  # [m] from the middle of the ego's lane, toward its own, who passes another and not to touch the ego
 CLEAR, OUT = 0.2, 2.8  # [m] between two of whom one has pulled out; that it is aside at most for that
 _ASIDE = ASIDE | acts_of(Heads.SWINGS, Heads.OVER, Heads.OUT)
 _ON_THE_ROAD = NEXT_LANE | {Where.AHEAD}
@@ -93,7 +95,8 @@ def steps_of(actor: Actor, k: int) -> Steps:
         raise NothingBuilds(f"cannot be built yet: {deed.act}, {where}{along}")
     steps = at_a_rate(actor, k, _by_numbers(actor, k, table[deed.act]), across=across)
     if deed.act is Act.OVERTAKE and not across and _ego_waits_for(actor, k):
-        steps = seen_to_pass(steps)
+        toward = actor.stand.meets is Meets.TOWARD and done_to(deed) != EGO
+        steps = near_to_pass(steps) if toward else seen_to_pass(steps)
     return takes_long(actor, k, steps)
 
 
@@ -223,7 +226,8 @@ def _to_another(actor: Actor, k: int) -> Iterator[tuple[Act, Steps]]:
     if deed.act is Act.FOLLOW and deed.speed is None:
         yield Act.FOLLOW, BEHIND_ANOTHER
     elif deed.act is Act.OVERTAKE and actor.stand.meets is Meets.TOWARD:
-        yield Act.OVERTAKE, passes_against(comes_back=actor.then(k) not in _COMES_BACK)
+        aside = NEAR_ITS_OWN if misses(actor.ledger.situation, actor.one) else 0.0
+        yield Act.OVERTAKE, passes_against(comes_back=actor.then(k) not in _COMES_BACK, aside=aside)
     elif deed.act is Act.YIELD and actor.stand.meets is Meets.ACROSS:
         yield Act.YIELD, lets_by(name_of(done_to(deed)))
     elif deed.act is Act.YIELD:

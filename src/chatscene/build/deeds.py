@@ -382,15 +382,35 @@ def sideswipes(level: float) -> Steps:
     return replace(ALONG[Act.OVERTAKE], does=(passes, f"{over} for 3 seconds"), last=(passes, over))
 
 
-def passes_against(*, comes_back: bool) -> Steps:
-    """How somebody who comes against the ego passes another: in the ego's lane, and back then."""
+SEEN_OUT = 2.8  # [m] from the middle of the ego's lane, from which on who comes into it is seen to come
+NEAR_TO_MEET = 3.0  # [s] before they would meet that the ego is to answer to who comes against it in its lane
+
+
+def near_to_pass(steps: Steps) -> Steps:
+    """How somebody passes another against the ego that answers to that: the last of it begins once the two are near."""
+    out, passes, *back = steps.does
+    by = passes.partition(" until ")[2]
+    near = f"gap(self, {{we}}) < (self.pose[3] + {{we}}.pose[3]) * {NEAR_TO_MEET:g}"  # ``ego`` is whom it passes
+    does = (out, f"{passes.partition(' until ')[0]} until {near} or {by}", passes, *back)
+    return replace(steps, does=does, last=(*does, *steps.last[len(steps.does) :]) if steps.last else ())
+
+
+def passes_against(*, comes_back: bool, aside: float = 0.0) -> Steps:
+    """How somebody who comes against the ego passes another: out in the ego's lane, by, and back then.
+
+    Args:
+        comes_back: Whether it does.
+        aside: How far [m] from the middle of the ego's lane, toward its own, it then goes.
+    """
     by = "headway(egoRoute, self, ego) > (ego.length + self.length) / 2 + $AHEAD"  # ``ego`` is then whom it passes
-    passes = f"DrivePath({{ours}}, $FAST) until {by}"
+    line = f"{{ours}}.offset({-aside:g})" if aside else "{ours}"
+    out = f"DrivePath({line}, $FAST) until abs(offsetFrom({{ours}}, self)) < {SEEN_OUT:g}"
+    passes = f"DrivePath({line}, $FAST) until {by}"
     binds = {"speed": "FAST", "distance": "AHEAD"}
     if not comes_back:
-        return Steps(does=(passes,), way="{ours}", binds=binds)
-    back = "DrivePath({home}, $FAST) until abs(offsetFrom({home}, self)) < 0.8"
-    return Steps(does=(passes, back), last=(passes, back, "DrivePath({home}, $FAST)"), way="{home}", binds=binds)
+        return Steps(does=(out, passes), way="{ours}", binds=binds)
+    does = (out, passes, "DrivePath({home}, $FAST) until abs(offsetFrom({home}, self)) < 0.8")
+    return Steps(does=does, last=(*does, "DrivePath({home}, $FAST)"), way="{home}", binds=binds)
 
 
 COMES_BACK = Steps(

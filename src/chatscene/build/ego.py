@@ -264,6 +264,7 @@ def _orders(
 ) -> Iterator[Order]:
     begins, slow, stood = 0.0, speed, 0.0  # [s], when what was said with times has gone by; its speed then; its wait
     stops = [k for k, deed in enumerate(deeds) if deed.act is Act.STOP]
+    steered: Order | None = None  # from when on it has steered, if that waited for somebody
     for k, deed in enumerate(deeds):
         at = f"ego.does.{k}"
         yield from _waits_first(ledger, deeds, k, stop)
@@ -274,7 +275,8 @@ def _orders(
         if is_own(deed):
             if row := _own_from(deeds, k):
                 drives = Drives(wants=speed, speed=slow, since=max(begins, stood))
-                yield from own_orders(ledger, row, k, drives, sides)
+                yield from (own := tuple(own_orders(ledger, row, k, drives, sides)))
+                steered = _steered(own)
             continue
         ledger.take(f"{at}.act", *_in_a_row(deed, at))
         yield from _breaks(ledger, deed, at, stop, speed)
@@ -285,8 +287,8 @@ def _orders(
                 continue
             ledger.assume(f"the ego's {deed.act} {_for_which(ledger.situation, *answers)} is left to its driver")
             continue
-        if backs_up(ledger.situation, deed):
-            yield from _backs_up(ledger, deeds, k, stop, speed)
+        if ends := tuple(_ends(ledger, deeds, k, steered, stop, speed)):
+            yield from ends
             continue
         there = begins * speed if begins else stop  # where it is to be slow, or to stand
         if k in stops and len(stops) > 1:  # one after the other
@@ -296,6 +298,24 @@ def _orders(
         else:
             begins = yield from _pedals(ledger, deed, at, _then(deeds, k), there, begins, speed)
         stood = _wait(deed, deeds[k + 1 :]) or stood
+
+
+def _steered(own: tuple[Order, ...]) -> Order | None:
+    """An order that begins when the ego has steered by others, if those wait for somebody and end; None if not."""
+    waits, till = next((one for one in own if one.whom), None), max((one.till for one in own), default=math.inf)
+    return (
+        None if waits is None or till == math.inf else replace(Order(), whom=waits.whom, phase=waits.phase, since=till)
+    )
+
+
+def _ends(
+    ledger: Ledger, deeds: tuple[Deed, ...], k: int, steered: Order | None, stop: float, speed: float
+) -> Iterator[Order]:
+    """An ego that backs up, or stops in the end once it has steered by what waited for somebody: wherever that is."""
+    if backs_up(ledger.situation, deeds[k]):
+        yield from _backs_up(ledger, deeds, k, stop, speed)
+    elif steered is not None and deeds[k].act is Act.STOP and k + 1 == len(deeds):
+        yield replace(steered, at_most=0, braking=_braking(ledger, deeds[k], f"ego.does.{k}", 3.0))
 
 
 def _as_told(ledger: Ledger, deed: Deed, at: str, speed: float) -> Order | None:

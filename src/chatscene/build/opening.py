@@ -40,6 +40,7 @@ LASTS = 3.0  # [s] in which the last of what somebody does is seen
 SPARE = 30.0  # [m] of road behind who comes against the ego, for those behind it
 _ANYWHERE = (None, Site.MOTORWAY, Site.RURAL)
 LETS_BY = 2.5  # [s] before somebody comes by that another brakes to let it by
+FARTHEST_BEHIND = 52.0  # [m] that who comes from behind in the next lane begins behind the ego at most
 NEAREST = 4.0  # [m] before a junction: who is nearer is in it
 DRIVES = 1.0  # [s]: who drives so long before it brakes is seen to come driving
 STANDS = 0.6  # [s]: who stands so long before it sets off is seen to stand
@@ -311,6 +312,10 @@ class Opening(UnderWay):
             fastest = max((speed.high for speed in speeds if speed.name), default=0.0)
             gains = max(0.0, fastest - actor.ego_speed) * actor.found.route.eventAt / actor.ego_speed
             low, high = low + gains, high + gains
+            if actor.ego.stands:  # or it would be by before it has done anything
+                most = max(high, FARTHEST_BEHIND)
+                comes = self._wish() * (self._wait() + DRIVES)
+                low, high = min(max(low, comes), most), min(max(high, comes + NEAREST), most)
         actor.numbers.measure("Y", low, high, unit, meaning)
 
     def _goes_along(self) -> bool:
@@ -396,8 +401,15 @@ class Opening(UnderWay):
                 closing = "self.pose[3]" if stands_first(shown) else f"(self.pose[3] - {name}.pose[3])"
                 return f"headway(egoRoute, self, {name}) < {closing} * ({clears:.3g} + $LEAD_TIME) + 5"
             case _:
-                due = f"secondsTo(egoRoute, ego, egoRoute.eventAt) < {wait:.3g} + $OFFSET"
-                return due + (self._or_yields() if self.phases.actor.ego.stands or self._is_held_by_others() else "")
+                return self._due_along(wait)
+
+    def _due_along(self, wait: float) -> str:
+        """The same, of who goes along the road; who comes from behind by an ego that stands is timed by its own way."""
+        stands = self.phases.actor.ego.stands
+        if stands and self.phases.actor.stand.behind:
+            return f"headway({{p}}, self, ego) < self.pose[3] * ({wait:.3g} + $OFFSET)"
+        due = f"secondsTo(egoRoute, ego, egoRoute.eventAt) < {wait:.3g} + $OFFSET"
+        return due + (self._or_yields() if stands or self._is_held_by_others() else "")
 
     def _is_held_by_others(self) -> bool:
         """Whether an ego may be held by others before it is where its first deed is due, who is ahead of it."""

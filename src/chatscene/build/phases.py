@@ -162,7 +162,7 @@ class Phases:
         for body in bodies:
             before = sum(map(len, bodies[: len(self.due_after) - first]))
             passes = actor.deeds[len(self.due_after)].act is Act.OVERTAKE
-            done = next((n for n, text in enumerate(body) if passes and "$AHEAD" in text), len(body) - 1)
+            done = max((n for n, text in enumerate(body) if passes and "$AHEAD" in text), default=len(body) - 1)
             self.due_after.append(len(opening) + before + done)
             yield from body
 
@@ -190,7 +190,8 @@ class Phases:
         for body in bodies[:-1]:
             ahead = course(body, actor.numbers, self.body, ahead, meeting)
         gains = [text for text in bodies[-1] if "until self.pose[3] >" in text][:1] or list(_before_turn(bodies[-1]))
-        if actor.stand.meets is Meets.TOWARD and actor.deeds[-1].act is Act.DRIFT:  # it is over as they meet
+        once = actor.stand.meets is Meets.TOWARD or (actor.stand.behind and actor.ego.stands)
+        if once and actor.deeds[-1].act is Act.DRIFT:  # it is over as they meet, which they do once
             gains = [text for text in bodies[-1] if _FOR.search(text)]
         begins = course(gains, actor.numbers, self.body, ahead, meeting)
         if actor.deeds[-1].speed is not None and self.steps[-1].pace in (Pace.KEEPS, Pace.GAINS):

@@ -18,6 +18,7 @@ from chatscene.build.relations import AGAINST, Relation, relation_of, said_speed
 from chatscene.errors import NothingBuilds
 from chatscene.terms.situation import EGO, Deed, Other, Situation, When
 from chatscene.terms.vocabulary import (
+    ALONG_THE_ROAD,
     CHANGES,
     HALTS,
     LOSES,
@@ -171,7 +172,8 @@ def _start_far_enough(actor: Actor, k: int, when: When) -> None:
 def _near(actor: Actor, k: int, when: When) -> str:
     """What shows that the ego is as near as was said: its front to the tail of who is on its way, or to where that is.
 
-    In seconds to who stands or goes slower it is the time to collision; to who goes as fast, the headway.
+    In seconds to who stands or goes slower, or comes against the ego along its road, it is the time to collision; to
+    who goes as fast, the headway.
     """
     at, near, said = f"{actor.path}.does.{k}.when", f"NEAR_{k}", when.ego_within
     assert said is not None
@@ -184,8 +186,9 @@ def _near(actor: Actor, k: int, when: When) -> str:
     if when.of is not None:
         actor.ledger.take(f"{at}.of")
     name = "self" if whom is actor.one or whom.id == actor.one.id else name_of(whom.id)
-    if whom.starts.where in AGAINST and not seconds:
-        return f"gap({name}, ego) - (ego.length + {name}.length) / 2 < ${near}"
+    if whom.starts.where in AGAINST and (not seconds or actor.deeds[k].act in ALONG_THE_ROAD):
+        closing = f" * ({name}.pose[3] + ego.pose[3])" if seconds else ""
+        return f"gap({name}, ego) - (ego.length + {name}.length) / 2 < ${near}{closing}"
     if whom.starts.where not in NOSE_TO_TAIL | {Where.KERB, Where.BUS_BAY}:
         there = f"progressOn(egoRoute, {name})[0] - ego.length / 2"
         if seconds:

@@ -458,9 +458,23 @@ def passes(s: Seen) -> Iterator[Act]:
     by = np.flatnonzero(ahead[began:] > reach)
     lowest = began + int(np.argmin(ahead[began : began + int(by[0]) + 1 if by.size else None]))
     if by.size:
-        yield Act(lowest, began + int(by[0]))
+        done = began + int(by[0])
+        yield Act(max(lowest, _pulls_out(s, done)), done)
     elif ahead[-1] > ahead[lowest] + reach:
-        yield Act(lowest, None)
+        yield Act(max(lowest, _pulls_out(s, len(ahead) - 1)), None)
+
+
+def _pulls_out(s: Seen, done: int) -> int:
+    """The step at which somebody leaves its line who is past another at one, and beside that line; 0 of who keeps it.
+
+    Before that it may have been as near behind as ever.
+    """
+    aside = np.abs(s.drift[: done + 1])
+    beside = np.flatnonzero(aside > DRIFTED)
+    if not beside.size:
+        return 0
+    on_line = np.flatnonzero(aside[: beside[0]] < ON_LINE)
+    return int(on_line[-1]) if on_line.size else 0
 
 
 TO_SOMEBODY: Mapping[Said, Callable[[Seen], Iterable[Act]]] = by_act(

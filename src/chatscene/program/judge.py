@@ -78,6 +78,7 @@ AVOIDS = SLOWS | acts_of(Heads.ASIDE, Heads.OVER)
 """What somebody behind the ego does so as not to run into it."""
 _DRIVES_OUT = frozenset((Where.ARM, Where.ONCOMING))
 _EXITS = frozenset((EgoRoute.ROUNDABOUT, EgoRoute.EXIT))
+BY_A_LITTLE = 0.6  # [m] by which somebody drifts of whom it is said where across the road it then is, at least about
 NEARER = 2.0  # [m] by which an ego comes nearer to somebody whom it is about to overtake
 
 
@@ -434,8 +435,10 @@ class _Judge:
             return partial(accelerates, to=deed.speed.high)
         if act is Said.TAILGATE and (far := deed.distance) is not None:
             return partial(tailgates, within=(far.high if math.isfinite(far.high) else far.low) + SLACK_LENGTH)
-        if act is Said.DRIFT and (far := deed.distance) is not None:
-            return partial(drifts, by=MOST_OF * (far.low if math.isfinite(far.low) else far.high))
+        if act is Said.DRIFT and (deed.distance or deed.lateral) is not None:  # which says where it then is
+            far = deed.distance
+            most = BY_A_LITTLE if far is None else far.low if math.isfinite(far.low) else far.high
+            return partial(drifts, by=MOST_OF * most)
         return exits if act is Said.EXIT and self.situation.ego.route in _EXITS else seen_by(act)
 
     def _lets_go(self, one: Other, k: int) -> tuple[Seen, ...]:

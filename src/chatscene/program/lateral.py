@@ -24,6 +24,8 @@ KEEPS = 0.15  # [m] to a side in these, at most
 _BESIDE = frozenset((Where.AHEAD_BESIDE, Where.BESIDE, Where.BEHIND_BESIDE, Where.ONCOMING))
 _IN_ITS_OWN = ASIDE | acts_of(Heads.ALONG)
 _ALONG = frozenset((Where.AHEAD, Where.KERB))
+_OF_EGO = frozenset(("overlap", "clearance"))
+"""What is said of the ego's width, or of the room beside it: on which side of the ego, and not of a lane."""
 
 
 def is_aside(start: Start, seen: Seen) -> bool:
@@ -61,7 +63,7 @@ def of_lateral(
     sides = _values(name, left, one, seen, deed, said.side)
     yield _finding(f"{path}.{name}", amount, sides, share=name == "overlap")
     if said.side is not None:
-        middle = _lane(one, deed)
+        middle = 0.0 if name in _OF_EGO else _lane(one, deed)
         right = bool(((left - middle > 0.0) == (said.side is Side.LEFT)).any()) or bool(
             (np.abs(left - middle) < LEAST_ASIDE).any()
         )
@@ -83,12 +85,12 @@ def _lane(one: Other, deed: Deed | None) -> float:
 
 def _values(name: str, left: Array, one: Other, seen: Seen, deed: Deed | None, side: Side | None) -> Array:
     ego, other = seen.ego.width, seen.track.width
-    if name in ("overlap", "clearance"):
+    if name in _OF_EGO:
         sign = np.sign(left) if side is None else np.full_like(left, 1.0 if side is Side.LEFT else -1.0)
         if name == "clearance":
             sign = np.sign(left)
         return np.array([seen_of_ego(name, float(at), ego, other) for at in left * sign])
-    aside = np.abs(left - _lane(one, deed))
+    aside: Array = np.abs(left - _lane(one, deed))
     return aside if name == "offset" else 0.5 * LANE - aside
 
 

@@ -12,16 +12,24 @@ from chatscene.terms.actors import Manner, manner_of
 from chatscene.terms.scenario import Position
 from chatscene.terms.vocabulary import Facing, Where
 
+IN_LANE = 1.8  # [m] from the ego's line at most, of who is in its lane
+
 
 def _at(position: Position) -> Callable[[Seen], bool]:
     return POSITIONS[position]
 
 
-def _in_lane(s: Seen) -> bool:
+def _in_lane(s: Seen, within: float = IN_LANE) -> bool:
     """In the ego's lane, wherever its way then leads; on a bend the way is the lane."""
     beside = min(abs(s.offset[0]), abs(s.aside[0]))
     swings = s.line.length > 0 and abs(float(s.bearing[0])) < 0.2  # on a straight road the lane goes straight on
-    return min(beside, abs(s.across[0])) < 1.8 if swings else beside < 1.8
+    return (min(beside, abs(s.across[0])) if swings else beside) < within
+
+
+def _stands_beside(s: Seen) -> bool:
+    """It stands ahead outside the ego's lane, or so far aside that an ego that keeps its line goes by it."""
+    clear = 0.5 * (s.ego.width + s.track.width)
+    return s.lead[0] > 0.0 and not _in_lane(s, min(IN_LANE, clear)) and abs(s.track.speed[0]) < STANDING
 
 
 def _behind(s: Seen) -> bool:
@@ -57,7 +65,7 @@ STARTS: dict[Where, Callable[[Seen], bool]] = {
     Where.BEHIND: _behind,
     Where.BEHIND_BESIDE: lambda s: s.along[0] < -1.0 and 1.0 < abs(s.across[0]) < 6.0,
     Where.ONCOMING: _comes_toward,
-    Where.ONCOMING_IN_OUR_LANE: lambda s: POSITIONS[Position.ONCOMING](s) and abs(s.offset[0]) < 1.8,
+    Where.ONCOMING_IN_OUR_LANE: lambda s: POSITIONS[Position.ONCOMING](s) and abs(s.offset[0]) < IN_LANE,
     Where.ARM: lambda s: (
         _beside_road(s) if manner_of(s.track.kind) is Manner.WALKS else POSITIONS[Position.CROSSING](s)
     ),
@@ -65,7 +73,7 @@ STARTS: dict[Where, Callable[[Seen], bool]] = {
     Where.DRIVEWAY: _beside_road,
     Where.CROSSING: _beside_road,
     Where.EXIT_CROSSING: _at(Position.FAR_CORNER),
-    Where.KERB: lambda s: s.lead[0] > 0.0 and not _in_lane(s) and abs(s.track.speed[0]) < STANDING,
+    Where.KERB: _stands_beside,
     Where.EXIT: _at(Position.BEYOND),
     Where.BUS_BAY: _beside_road,
     Where.MEDIAN: lambda s: s.lead[0] > 0.0 and 1.0 < s.offset[0] < 4.0,

@@ -20,7 +20,7 @@ from chatscene.terms.amount import Duration
 from chatscene.terms.episode import Episode
 from chatscene.terms.route import Route
 from chatscene.terms.situation import Deed, Situation, When
-from chatscene.terms.vocabulary import COMES_IN, Heads, acts_of
+from chatscene.terms.vocabulary import ALONG_THE_ROAD, COMES_IN, Heads, acts_of
 
 _OVER = acts_of(Heads.BEFORE, Heads.OVER, Heads.OUT, Heads.MERGES, Heads.IN)
 EDGE = 4.0  # [m] from the ego's line: who is so near comes into its lane
@@ -104,7 +104,8 @@ class Waiting:
         step = _comes(deed, once, seen)
         seconds = isinstance(near, Duration)
         most = near.high if math.isfinite(near.high) else near.low
-        nearest = min(how_near(whom, step, in_seconds=seconds), key=lambda one: abs(one - most))
+        leaves = deed.act not in ALONG_THE_ROAD
+        nearest = min(how_near(whom, step, in_seconds=seconds, leaves=leaves), key=lambda one: abs(one - most))
         right = nearest <= most * (1 + SLACK) + 2 * (SLACK_TIME if seconds else SLACK_LENGTH)
         told = f"said within {near}, the ego is at {nearest:.1f}"
         return Finding(path=f"{path}.ego_within", shown=right, told=told, at=once.began * seen.dt)

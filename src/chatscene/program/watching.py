@@ -185,7 +185,7 @@ def _drift(track: Track, route: Route, at: Array, offset: Array, aside: Array, f
     beside = (aside - aside[0]) * way
     if route.site is Site.ROUNDABOUT:
         return beside if way > 0.0 else np.full_like(offset, math.nan)
-    lines = [beside] if includes(Place.CURVE, route.place) else [beside, _straight(track)]
+    lines = [beside] if route.junction is None or includes(Place.CURVE, route.place) else [beside, _straight(track)]
     if route.site in LEADS_OVER:
         lines.append((offset - offset[0]) * way)
     drift = min(lines, key=lambda line: float(np.abs(line).max()))

@@ -269,23 +269,25 @@ class _Tried:
         return {fact[1] for fact in facts if len(fact) > 1}
 
     def unseen(self) -> Iterator[str]:
-        """Each fact that no drive shows, and what nobody said that all show, with what is seen in the first.
+        """Each fact that no drive shows, or none of the ego that drives where none is named, with what is seen.
 
-        A drive that does not begin shows nothing, and hides nothing that others do not show.
+        What nobody said that all show is told as well. A drive that does not begin shows nothing, and hides nothing
+        that others do not show.
         """
         begun = [missing for missing in self.missing if not any(map(_is_reason, missing))]
         if not begun:
             yield f"none of {len(self.missing)} drives begins: {self.missing[0][0]}"
             return
-        first, *others = begun
-        for told in first:
-            fact, _, instead = told.partition(": ")
-            if not all(any(one.startswith(f"{fact}: ") for one in missing) for missing in others):
-                continue
+        never = _in_each(begun)
+        for fact, instead in never.items():
             if fact.startswith("unasked."):
                 yield f"all {len(begun)} drives show something that was not said: {instead}"
             else:
                 yield f"none of {len(begun)} drives shows {fact}: {instead}"
+        own = [missing for missing in self.missing[:: len(EGOS)] if not any(map(_is_reason, missing))]
+        for fact, instead in _in_each(own).items():
+            if fact not in never and not fact.startswith("unasked."):
+                yield f"none of {len(own)} drives by {EGO} shows {fact}: {instead}"
 
     @property
     def share(self) -> float:
@@ -405,6 +407,17 @@ class _Stage:
 def _seconds(who: str, drives: Iterable[Mapping[str, Late]]) -> float:
     """By how many seconds [s] somebody misses the meeting that it belongs to, in all of some drives together."""
     return sum(abs(late[who].seconds) for late in drives if who in late)
+
+
+def _in_each(drives: Sequence[tuple[str, ...]]) -> dict[str, str]:
+    """What each of some drives misses, by its path, with what is seen in the first."""
+    first, *others = drives or [()]
+    told = (one.partition(": ") for one in first)
+    return {
+        fact: instead
+        for fact, _, instead in told
+        if all(any(one.startswith(f"{fact}: ") for one in missing) for missing in others)
+    }
 
 
 def _is_reason(missed: str) -> bool:

@@ -18,7 +18,7 @@ from chatscene.terms.situation import Situation
 
 TRIES = 12
 """Situations at most that are driven a few times."""
-_UNSEEN = re.compile(r"none of \d+ drives (?:shows ([\w.-]+)|(begins)): (.*)")
+_UNSEEN = re.compile(r"none of \d+ drives (?:by \S+ )?(?:shows ([\w.-]+)|(begins)): (.*)")
 _BEGINS = "begins"
 
 

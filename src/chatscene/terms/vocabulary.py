@@ -659,6 +659,8 @@ SIDEWAYS = ASIDE | SWINGS | acts_of(Heads.BEFORE, Heads.MERGES, Heads.OVER, Head
 """What is done by moving to a side on the road."""
 GLIDES = SIDEWAYS - SWINGS - acts_of(Heads.ASIDE)
 """The same, with what is not abrupt."""
+ALONG_THE_ROAD = SIDEWAYS | LOSES | acts_of(Heads.BY, Tempo.GAINS)
+"""What somebody does who stays on its road: how near one is then who comes against the ego, is how soon they meet."""
 ROLLING = acts_of(Heads.ACROSS, Heads.IN)
 """What a thing does that rolls or is blown."""
 COMES_IN = acts_of(Heads.ACROSS, Heads.IN, Heads.FROM_EDGE)
