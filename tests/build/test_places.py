@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+import numpy as np
 import pytest
 from test_building import drive, simulator
 
@@ -164,6 +165,44 @@ def test_a_hedge_that_hides_who_comes_out_of_a_driveway_stands_along_that() -> N
     assert "driveway=right" in built.map
     (line,) = (one for one in built.program.source.splitlines() if "new Hedge" in one)
     assert "facing crossingDirection(egoRoute, levelA - 2.25" in line
+
+
+def test_who_turns_round_from_the_opposite_kerb_comes_over_both_lanes_into_the_ego_s() -> None:
+    turns = {"id": "A", "kind": "car", "starts": {"where": "kerb", "side": "left"}}
+    built = made(turns | {"does": [{"act": "stand"}, {"act": "u-turn"}]}, ego={"speed": "35 km/h"})
+    episode = drive(built, seed=1)
+    assert isinstance(episode, Episode)
+    route = simulator(built.map, "native").route(built.program, 0)
+    (one,) = (track for track in episode.tracks if track.actor == "A")
+    turned = np.abs(np.remainder(one.heading - route.line.heading_at(0.0) + np.pi, 2 * np.pi) - np.pi)
+    assert turned[0] > 3.0
+    assert turned[-1] < 0.3
+    assert route.line.project(float(one.x[0]), float(one.y[0]))[1] > 4.5
+    assert abs(route.line.project(float(one.x[-1]), float(one.y[-1]))[1]) < 0.5
+
+
+def test_who_comes_the_wrong_way_along_the_divider_meets_an_ego_in_the_lane_beside_it() -> None:
+    start = {"where": "oncoming-in-our-lane"}
+    comes = {"id": "A", "kind": "auto-rickshaw", "does": [{"act": "go-along"}]}
+    along = comes | {"starts": {**start, "lateral": {"side": "left"}}}
+    assert "lane=-1" in made(along, road={"has": ["median"]}).program.source
+    assert "lane=-1" not in made(comes | {"starts": start}, road={"has": ["median"]}).program.source
+
+
+def test_a_bend_with_room_for_one_is_laid_for_two_who_meet_in_it() -> None:
+    comes = {"id": "A", "kind": "car", "starts": {"where": "oncoming-in-our-lane"}, "does": [{"act": "go-along"}]}
+    built = made(comes, road={"kind": "curve", "has": ["narrow"]})
+    assert built.map.startswith("road:1+0,lane=3.2,")
+    assert built.left_out == ()
+
+
+def test_hedges_beside_a_road_stand_in_a_row_along_it() -> None:
+    hedge = {"id": "B", "kind": "hedge", "count": 2, "role": "hides", "starts": {"where": "roadside", "side": "left"}}
+    source = made(CROSSES, hedge).program.source
+    lines = [one for one in source.splitlines() if "new Hedge" in one]
+    assert len(lines) == 2
+    assert all("facing directionOn(egoRoute" in one for one in lines)
+    assert "levelB + -5.7" in lines[1]
 
 
 def test_a_bus_stop_is_where_a_bus_stands_or_stops_on_its_own_side() -> None:

@@ -9,6 +9,7 @@ from typing import Any
 from chatscene.maps.ring_ways import ROUND
 from chatscene.maps.road_spec import LaidRoad, is_laid, road_of
 from chatscene.situations.check import RULED_BY, TURNS
+from chatscene.terms.actors import PROPS
 from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.backing import backs
 from chatscene.terms.route import Equipment
@@ -123,6 +124,13 @@ def turns_out(one: Other) -> Maneuver | None:
     first = next((deed.act for deed in one.does if deed.act not in (Act.STAND, Act.SET_OFF, Act.GO_ALONG)), None)
     drives = one.starts.where is Where.DRIVEWAY and one.kind.moves in (Moves.DRIVES, Moves.RIDES)
     return WAYS.get(first) if drives and first is not None else None
+
+
+def turns_round_from_opposite(found: Found, one: Other) -> bool:
+    """Whether somebody turns round who stands at the kerb of the oncoming lane, as those who come that way do."""
+    turns = any(deed.act is Act.U_TURN for deed in one.does) and one.starts.facing is not Facing.ALONG
+    at_kerb = one.starts.where is Where.KERB and one.starts.side is Side.LEFT
+    return turns and at_kerb and lanes_beside(found.route).get("left") is True
 
 
 def shares_driveway(situation: Situation) -> bool:
@@ -364,10 +372,12 @@ def wrong_way(one: Other) -> Other:
 
 
 def along_the_road(one: Other) -> Other:
-    """The same; who goes along the road from beside it faces along, and not across."""
+    """The same; who goes along the road from beside it faces along, and not across, as a hedge or a wall does."""
     first = next((deed.act for deed in one.does if deed.act is not Act.STAND), None)
     beside = one.starts.where is Where.ROADSIDE and one.starts.facing is None
-    return replace(one, starts=replace(one.starts, facing=Facing.ALONG)) if beside and first is Act.GO_ALONG else one
+    limits = PROPS.get(one.kind.scenic)
+    along = first is Act.GO_ALONG or (limits is not None and limits.length > limits.width)
+    return replace(one, starts=replace(one.starts, facing=Facing.ALONG)) if beside and along else one
 
 
 def filters(one: Other) -> bool:

@@ -144,8 +144,7 @@ def _queries(situation: Situation, sides: dict[str, Side]) -> Iterator[dict[str,
             base["lanes"] = max(2, -road.ego_lane, road.lanes or 2)
     if road.two_way is not None and not at_junction(situation):
         base |= {"opposite": road.two_way} | ({} if road.two_way else {"divided": True})
-    if Feature.MEDIAN in road.has:
-        base["divided"] = True
+    base |= _divided(situation)
     base |= _many_lanes(situation, sides)
     over: list[str] = []
     against = any(one.starts.where in AGAINST for one in others)  # for whom that lane is
@@ -209,6 +208,22 @@ _GOES_OVER = {
     Heads.OVER: frozenset((Where.AHEAD, Where.BEHIND)),
     Heads.BY: frozenset((Where.BEHIND,)),
 }
+
+
+def _divided(situation: Situation) -> dict[str, Any]:
+    """That something lies between the directions, and in which lane the ego is beside which somebody comes along it."""
+    road = situation.road
+    if Feature.MEDIAN not in road.has:
+        return {}
+    free = road.ego_lane is None and not at_junction(situation)
+    innermost = {"lane": -1, "lanes": max(2, road.lanes or 2)}
+    return {"divided": True} | (innermost if free and any(map(_by_divider, situation.others)) else {})
+
+
+def _by_divider(one: Other) -> bool:
+    """Whether somebody comes the wrong way along what divides the directions, where the innermost lane is the ego's."""
+    lateral, where = one.starts.lateral, one.starts.where
+    return where is Where.ONCOMING_IN_OUR_LANE and lateral is not None and lateral.side is Side.LEFT
 
 
 def _lanes_of_ego(situation: Situation) -> Iterator[str]:
@@ -337,6 +352,7 @@ def _along(situation: Situation, base: dict[str, Any], lanes: list[str]) -> Iter
         yield query | {"beside": "none"}  # the outermost lane, or there is no kerb beside it
     yield query
     if wrong_way and Where.ONCOMING not in places:  # who needs no lane of its own
+        yield {name: value for name, value in query.items() if name != "opposite"}
         beside = {} if not lanes else {"beside": lanes[0]} if straight else _lanes_to_change(situation, lanes)
         yield base | beside
 

@@ -43,6 +43,7 @@ from chatscene.build.place import (
     lane_beside,
     turns_in_ahead,
     turns_out,
+    turns_round_from_opposite,
 )
 from chatscene.build.relations import falls_behind, goes_with, slows_on_its_way, speed_of
 from chatscene.build.screening import AT_EDGE, IN_SHADOW, from_its_lane, shadowed
@@ -518,12 +519,15 @@ def _kerb(asked: Asked) -> Stand:
     else:
         beside = 'neighbourPath(egoRoute, "left")'
         edge = f"pointOn({beside}, levelOn({beside}, egoRoute, 20), -2.1)"
+    against = turns_round_from_opposite(asked.found, asked.one)
     return Stand(
         meets=Meets.KERB,
         way=_through_point(edge),
         at=f"{level}{asked.more}",
         ego_meets="progressOn(egoRoute, self)[0]",
         anywhere=not asked.swings_out,
+        turn=math.pi if against else 0.0,
+        faces=against,
     )
 
 

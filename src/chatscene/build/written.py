@@ -14,7 +14,7 @@ from chatscene.build.naming import name_of
 from chatscene.build.numbers import strong
 from chatscene.build.over_lanes import is_lane, lane_line, side_beside
 from chatscene.build.parts import parts_of
-from chatscene.build.place import LANE
+from chatscene.build.place import LANE, turns_round_from_opposite
 from chatscene.build.screening import Screen, from_its_lane, screen_of, stands_at
 from chatscene.errors import NotBuilt, NothingBuilds
 from chatscene.terms.vocabulary import Facing, Role, Side, UserKind, Where
@@ -88,7 +88,8 @@ class Written:
         if f"off{one}" in body:
             yield f'off{one} = wayOff(egoRoute, "{self.actor.named["off"]}")'
         if f"home{one}" in body:
-            yield f'home{one} = neighbourPath(egoRoute, "left")'
+            across = turns_round_from_opposite(self.actor.found, self.actor.one)
+            yield f"home{one} = " + (OWN if across else 'neighbourPath(egoRoute, "left")')
 
     def _screen(self) -> Screen | None:
         """How it hides somebody from a lane of its own; None if it hides nobody so."""
