@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from chatscene.program.watching import Seen, in_frame, percentile
-from chatscene.simulate.roadside import crossing_step
+from chatscene.simulate.roadside import crossing_steps
 from chatscene.terms.actors import BY_CLASS, AdversaryKind, RoadUser
 from chatscene.terms.acts import Action
 from chatscene.terms.arrays import Array, changes, changes_at
@@ -343,13 +343,12 @@ def _blocks_way(s: Seen) -> Iterator[Act]:
 def _runs_light(s: Seen) -> Iterator[Act]:
     ahead, heading = s.track.length / 2, s.track.heading
     nose = replace(s.track, x=s.track.x + ahead * np.cos(heading), y=s.track.y + ahead * np.sin(heading))
-    for signal in s.signals:
-        if signal.role != "ego":
-            over, done = crossing_step(nose, signal), crossing_step(s.track, signal)
-            if done is not None and signal.state[done] == "r":
-                yield Act(done if over is None else over, done)
-            elif done is None and over is not None and signal.state[over] == "r":
-                yield Act(over, None)
+    others = [signal for signal in s.signals if signal.role != "ego"]
+    for signal, over, done in zip(others, crossing_steps(nose, others), crossing_steps(s.track, others), strict=True):
+        if done is not None and signal.state[done] == "r":
+            yield Act(done if over is None else over, done)
+        elif done is None and over is not None and signal.state[over] == "r":
+            yield Act(over, None)
 
 
 def _follows(s: Seen) -> Iterator[Act]:

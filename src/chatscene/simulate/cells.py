@@ -11,7 +11,7 @@ import shapely
 from numpy.typing import NDArray
 
 from chatscene.maps.lane_map import Indices, LaneMap
-from chatscene.simulate.native.engine import Engine
+from chatscene.simulate.native.engine import Engine, address
 from chatscene.simulate.native.lines import engine
 from chatscene.terms.arrays import Array
 from chatscene.terms.route import Route
@@ -39,6 +39,7 @@ class Cells:
         self._low: tuple[float, float] = (float(low[0]), float(low[1]))
         wide, tall = np.ceil((high - low) / SIDE).astype(int).tolist()
         self._known = np.zeros((tall, wide), np.int32)  # a square's lane and whether it is off the road: `_code`
+        self._at = address(self._known)
 
     def along(self, x: Array, y: Array) -> tuple[NDArray[np.bool_], list[int], list[int]]:
         """Where a track is off the road, and at which steps it comes to be so, and leaves a lane.
@@ -61,11 +62,11 @@ class Cells:
 
     def _codes(self, x: Array, y: Array, native: Engine) -> NDArray[np.int32]:
         """(T,) The `_code` of each point."""
-        found, told = native.in_cells(x, y, self._low, SIDE, self._known)
+        found, told = native.in_cells(x, y, self._low, SIDE, self._known, self._at)
         if not told:
             if not found.all():
                 self._learn(x[found == _UNKNOWN], y[found == _UNKNOWN])
-                found, _ = native.in_cells(x, y, self._low, SIDE, self._known)
+                found, _ = native.in_cells(x, y, self._low, SIDE, self._known, self._at)
             at = np.flatnonzero(found == _EDGE)
             found[at] = self._of_points(x[at].tolist(), y[at].tolist())
         return found

@@ -63,11 +63,15 @@ class Placement:
             raise NoFunction
         named = (value for _, names in self._modules for value in names.values())
         given = {id(node) for node in self._set.values()}
-        self._order = tuple(_in_order((*self._params.values(), *named, *self._objects), given))
-        self._stays = tuple(node for node in self._objects if not needsSampling(node))
-        self._angles = _angles(self._order)
+        order = tuple(_in_order((*self._params.values(), *named, *self._objects), given))
+        stays = tuple(node for node in self._objects if not needsSampling(node))
+        numbers, angles = {id(node): number for number, node in enumerate(self._objects)}, _angles(order)
+        self._order = [
+            (node, self._like.get(id(node)), numbers.get(id(node), -1), angles.get(id(node)))
+            for node in (*stays, *order)
+        ]
         self.moved = frozenset(i for i, node in enumerate(self._objects) if self._like[id(node)].differs)
-        apart = any(id(of) in self._like for node in self._order for of in node._dependencies)
+        apart = any(id(of) in self._like for node in order for of in node._dependencies)
         others = any(needsSampling(node) for name, node in self._params.items() if name not in self._set)
         poses = all(_POSE.issuperset(like.differs) for like in self._like.values())
         self.moves = poses and not apart and not others and 0 not in self.moved
@@ -124,12 +128,11 @@ class Placement:
         found = DefaultIdentityDict()
         for name, node in self._set.items():
             found[node] = values[name]
-        given = {id(node): thing for node, thing in zip(self._objects, things, strict=True)}
-        for node in (*self._stays, *self._order):
-            if (like := self._like.get(id(node))) is not None:
-                thing = given[id(node)]
+        for node, like, number, angle in self._order:
+            if like is not None:
+                thing = things[number]
                 found[node] = like.made(node, found) if thing is None else thing
-            elif (angle := self._angles.get(id(node))) is not None:
+            elif angle is not None:
                 found[node] = angle.of(node, found)
             else:
                 found[node] = node.sampleGiven(found)

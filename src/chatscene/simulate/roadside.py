@@ -6,7 +6,7 @@ Events other than collisions change nothing while a drive goes on, so they are f
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from functools import cached_property
 from typing import Any
 
@@ -161,10 +161,11 @@ class RouteSurroundings:
         off_road, leaves, changes = self._cells.along(ego.x, ego.y)
         events = [Event(kind=EventKind.OFF_ROAD, step=step) for step in leaves]
         events += self._lane_invasions(ego, changes)
+        own = [signal for signal in signals if signal.role == "ego"]
         events += [
             Event(kind=EventKind.RED_LIGHT, step=step, other="signal")
-            for signal in signals
-            if signal.role == "ego" and (step := crossing_step(ego, signal)) is not None and signal.state[step] == "r"
+            for signal, step in zip(own, crossing_steps(ego, own), strict=True)
+            if step is not None and signal.state[step] == "r"
         ]
         if self._control is Control.STOP_SIGN:
             events += self._stop_signs(ego)
@@ -196,8 +197,20 @@ class RouteSurroundings:
 
 def crossing_step(track: Track, line: StopLine | SignalTrack) -> int | None:
     """The first step at which an actor's centre crosses a stop line, or None."""
+    return crossing_steps(track, (line,))[0]
+
+
+def crossing_steps(track: Track, lines: Sequence[StopLine | SignalTrack]) -> list[int | None]:
+    """The first step at which an actor's centre crosses each of some stop lines, or None."""
+    if not lines:
+        return []
     if (native := engine()) is not None:
-        return native.crosses(track.x, track.y, (line.x0, line.y0, line.x1, line.y1))
+        return native.cross(track.x, track.y, np.array([(line.x0, line.y0, line.x1, line.y1) for line in lines]))
+    return [_crossing_step(track, line) for line in lines]
+
+
+def _crossing_step(track: Track, line: StopLine | SignalTrack) -> int | None:
+    """The same of one line, without an engine."""
     px, py = track.x - line.x0, track.y - line.y0
     lx, ly = line.x1 - line.x0, line.y1 - line.y0
     side = lx * py - ly * px

@@ -2312,8 +2312,7 @@ void lane_events(int64_t steps, const int32_t *codes, uint8_t *off, int64_t *fou
     found[0] = onsets; found[1] = changes;
 }
 
-/* `simulate.roadside.crossing_step`: the first step at which a track crosses a line; -1 if it never does. */
-int64_t crosses(int64_t steps, const double *x, const double *y, double x0, double y0, double x1, double y1) {
+static int64_t crosses(int64_t steps, const double *x, const double *y, double x0, double y0, double x1, double y1) {
     double lx = x1 - x0, ly = y1 - y0;
     for (int64_t i = 0; i + 1 < steps; i++) {
         double px = x[i] - x0, py = y[i] - y0, qx = x[i + 1] - x0, qy = y[i + 1] - y0;
@@ -2324,6 +2323,15 @@ int64_t crosses(int64_t steps, const double *x, const double *y, double x0, doub
         if (-0.1 <= along && along <= 1.1) return i + 1;
     }
     return -1;
+}
+
+/* `simulate.roadside.crossing_steps`: the first step at which a track crosses each of some lines, of x, y of one end and
+ * of the other; -1 if it never does. */
+void cross(int64_t steps, const double *x, const double *y, int64_t count, const double *lines, int64_t *found) {
+    for (int64_t k = 0; k < count; k++) {
+        const double *line = lines + 4 * k;
+        found[k] = crosses(steps, x, y, line[0], line[1], line[2], line[3]);
+    }
 }
 
 /* By how much something rises at most in so many steps, and the step at which it has. */

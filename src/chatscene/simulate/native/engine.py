@@ -41,7 +41,7 @@ _Doubles = POINTER(c_double)
 Array = NDArray[np.float64]
 
 
-def _at(array: Any) -> int:
+def address(array: Any) -> int:
     """Where the numbers of an array are in memory; a sandbox allows nobody to ask `ctypes` for it."""
     found: int = array.ctypes.data
     return found
@@ -288,7 +288,7 @@ def boxes_of(x: Array, y: Array, cos: Array, sin: Array, half_length: float, hal
     if not x.size == y.size == cos.size == sin.size:
         raise ValueError(f"columns of {x.size}, {y.size}, {cos.size} and {sin.size} moments are no boxes")
     kept = np.array((x, y, cos, sin), np.float64)
-    at, size = _at(kept), 8 * x.size
+    at, size = address(kept), 8 * x.size
     found = Boxes(at, at + size, at + 2 * size, at + 3 * size, half_length, half_width)
     found.kept = [kept[0]]
     return found
@@ -333,7 +333,7 @@ def course_of(x: Array, y: Array, arc: Array, cos: Array, sin: Array) -> Course:
     with np.errstate(divide="ignore", invalid="ignore"):  # of points that are one, which nobody is between
         columns = arc, x, y, np.diff(x) / step, np.diff(y) / step, cos, sin
     kept = [np.ascontiguousarray(column, np.float64) for column in columns]
-    found = Course(len(x), *map(_at, kept))
+    found = Course(len(x), *map(address, kept))
     found.kept = kept
     return found
 
@@ -371,7 +371,7 @@ _FUNCTIONS: dict[str, tuple[Any, ...]] = {
         *(c_int64, c_void_p, c_void_p, c_double, c_double, c_double),
         *(c_int64, c_int64, c_void_p, c_void_p),
     ),
-    "crosses": (c_int64, c_int64, c_void_p, c_void_p, *[c_double] * 4),
+    "cross": (None, c_int64, c_void_p, c_void_p, c_int64, c_void_p, c_void_p),
     "lane_events": (None, c_int64, *[c_void_p] * 3),
 }
 """What each function of the library returns, and what it takes."""
@@ -417,7 +417,7 @@ class Engine:
         found, states = World(), world.limit + 1
         rows = 4 * world.moving * states
         room = np.empty(rows + states + -(-self._library.room_of(ctypes.byref(world)) // 8))
-        at = _at(room)
+        at = address(room)
         offsets = at + 8 * rows
         self._library.copy_world(ctypes.byref(world), ctypes.byref(found), offsets + 8 * states, at, offsets)
         found.kept = [*world.kept, room]
@@ -442,8 +442,8 @@ class Engine:
         if actions.shape != (len(worlds), 2) or not 0 < size <= SEEN:
             raise ValueError(f"{actions.shape} are no actions of {len(worlds)} scenes, or {size} numbers are not seen")
         told, seen = np.empty((len(worlds), 6)), np.empty((len(worlds), size))
-        columns = map(_at, (actions, told, seen))
-        over = self._library.step_worlds(_at(worlds), len(worlds), *columns, size)
+        columns = map(address, (actions, told, seen))
+        over = self._library.step_worlds(address(worlds), len(worlds), *columns, size)
         if over >= 0:
             raise EgoError(f"drive {over} of {len(worlds)} is over: begin another")
         return told, seen
@@ -476,7 +476,7 @@ class Engine:
         if x.shape != y.shape:
             raise ValueError(f"{len(x)} abscissas and {len(y)} ordinates are no points")
         arc, offset = np.empty(len(x)), np.empty(len(x))
-        columns = map(_at, (x, y, arc, offset))
+        columns = map(address, (x, y, arc, offset))
         self._library.follow(ctypes.byref(line), len(x), whole, *columns)
         return arc, offset
 
@@ -488,9 +488,11 @@ class Engine:
         if not len(one) == len(other) == a.kept[0].size == b.kept[0].size:
             raise ValueError(f"tracks of {len(one)} and {len(other)} steps are not beside each other")
         found = np.empty((4, len(one)))
-        self._library.compare_boxes(len(one), ctypes.byref(a), _at(one), ctypes.byref(b), _at(other), _at(found))
+        self._library.compare_boxes(
+            len(one), ctypes.byref(a), address(one), ctypes.byref(b), address(other), address(found)
+        )
         told = (c_double * 5)()
-        self._library.closest(len(one), _at(found), _at(one), crawl, told)
+        self._library.closest(len(one), address(found), address(one), crawl, told)
         return found, tuple(told)
 
     def overlaps(
@@ -502,8 +504,8 @@ class Engine:
         at = np.ascontiguousarray(at, np.int64)
         found = np.empty((2, 4 * shape[0] * len(at)), np.int64)  # at most two steps before and two after each
         count = self._library.overlaps(
-            *(*shape, ctypes.byref(a), len(at), ctypes.byref(b), _at(at)),
-            *(most, square, _at(found), _at(found) + found.strides[0]),
+            *(*shape, ctypes.byref(a), len(at), ctypes.byref(b), address(at)),
+            *(most, square, address(found), address(found) + found.strides[0]),
         )
         return found[0, :count], found[1, :count]
 
@@ -543,16 +545,16 @@ class Engine:
         told, every, paces = np.empty((scenes, actors, 8)), np.empty((scenes, 17)), np.empty((scenes, 3, longest))
         places, least = np.empty((3, pairs * (parts + 1))), np.empty((scenes, actors))
         shape = scenes, actors, longest, parts
-        state, cosine, sine, body = map(_at, (states, cos, sin, who))
-        first, x, count = _at(moments), _at(places), _at(counts)
+        state, cosine, sine, body = map(address, (states, cos, sin, who))
+        first, x, count = address(moments), address(places), address(counts)
         second, y, heading = first + 8 * pairs, x + places.strides[0], x + 2 * places.strides[0]
         found: int = self._library.sum_up(
-            *(*shape, _at(about), state, cosine, sine, body, _at(aside), ctypes.byref(habits), _at(room)),
-            *(_at(told), _at(every), _at(paces), count, first, second, x, y, heading),
+            *(*shape, address(about), state, cosine, sine, body, address(aside), ctypes.byref(habits), address(room)),
+            *(address(told), address(every), address(paces), count, first, second, x, y, heading),
         )
         there = places[2, : found * (parts + 1)]
         cos, sin = np.cos(there), np.sin(there)
-        ways = map(_at, (cos, sin, least))
+        ways = map(address, (cos, sin, least))
         self._library.part(*shape, state, cosine, sine, body, count, first, second, x, y, *ways)
         return told, every, paces, least
 
@@ -573,24 +575,32 @@ class Engine:
             raise ValueError("columns of other lengths are no drive")
         columns = [np.ascontiguousarray(column, np.float64) for column in (ahead, along, speed, other_speed)]
         seen = np.ascontiguousarray(seen, np.bool_)
-        moments, one, two, three = map(_at, columns)
+        moments, one, two, three = map(address, columns)
         found: int = self._library.first_risk(
             *(len(along), len(ahead), moments, ctypes.byref(course), one, two, *half),
-            *(ctypes.byref(other), three, _at(seen), lasting),
+            *(ctypes.byref(other), three, address(seen), lasting),
         )
         return None if found < 0 else found
 
     def in_cells(
-        self, x: Array, y: Array, low: tuple[float, float], side: float, known: NDArray[np.int32]
+        self, x: Array, y: Array, low: tuple[float, float], side: float, known: NDArray[np.int32], at: int
     ) -> tuple[NDArray[np.int32], bool]:
-        """(N,) What is known of the cell of each point, -1 beside the map; and whether that is more than 0 of all."""
+        """(N,) What is known of the cell of each point, -1 beside the map; and whether that is more than 0 of all.
+
+        Args:
+            x: (N,) [m].
+            y: (N,) [m].
+            low: Where the cells begin [m].
+            side: Of a cell [m].
+            known: (rows, columns) What is known of each.
+            at: Where that is in memory.
+        """
         if len(x) != len(y) or known.dtype != np.int32 or not known.flags.c_contiguous:
             raise ValueError("columns of other lengths are no points, or the cells are none")
         one, two = np.ascontiguousarray(x, np.float64), np.ascontiguousarray(y, np.float64)
         found = np.empty(len(one), np.int32)
         told: int = self._library.in_cells(
-            *(len(one), _at(one), _at(two), *low, side, known.shape[1], known.shape[0]),
-            *(_at(known), _at(found)),
+            *(len(one), address(one), address(two), *low, side, known.shape[1], known.shape[0], at, address(found))
         )
         return found, told == len(one)
 
@@ -598,26 +608,33 @@ class Engine:
         """Of what `in_cells` tells of a track, if it tells all: see `chatscene.simulate.cells.Cells.along`."""
         steps, codes = len(codes), np.ascontiguousarray(codes, np.int32)
         off_road, found = np.empty(steps, np.bool_), np.empty(2 * steps + 2, np.int64)
-        self._library.lane_events(steps, _at(codes), _at(off_road), _at(found))
+        self._library.lane_events(steps, address(codes), address(off_road), address(found))
         onsets, changes = found[:2].tolist()
         return off_road, found[2 : 2 + onsets].tolist(), found[2 + steps : 2 + steps + changes].tolist()
 
-    def crosses(self, x: Array, y: Array, line: tuple[float, float, float, float]) -> int | None:
-        """The first step at which a track crosses a line from one point [m] to another; None if it never does."""
-        if len(x) != len(y):
-            raise ValueError("columns of other lengths are no track")
+    def cross(self, x: Array, y: Array, lines: Array) -> list[int | None]:
+        """The first step at which a track crosses each of some lines; None if it never does.
+
+        Args:
+            x: (T,) [m].
+            y: (T,) [m].
+            lines: (N, 4) x and y of one end and of the other [m].
+        """
+        if len(x) != len(y) or lines.shape[1:] != (4,) or not lines.flags.c_contiguous:
+            raise ValueError("columns of other lengths are no track, or the lines are none")
         one, two = np.ascontiguousarray(x, np.float64), np.ascontiguousarray(y, np.float64)
-        step: int = self._library.crosses(len(one), _at(one), _at(two), *line)
-        return None if step < 0 else step
+        found = np.empty(len(lines), np.int64)
+        self._library.cross(len(one), address(one), address(two), len(lines), address(lines), address(found))
+        return [None if step < 0 else step for step in found.tolist()]
 
     def near_any(self, x: Array, y: Array, other_x: Array, other_y: Array, within: float) -> NDArray[np.bool_]:
         """(N,) Whether each point is nearer [m] than that to any of the others."""
         if len(x) != len(y) or len(other_x) != len(other_y):
             raise ValueError("columns of other lengths are no points")
         columns = [np.ascontiguousarray(column, np.float64) for column in (x, y, other_x, other_y)]
-        one, two, three, four = map(_at, columns)
+        one, two, three, four = map(address, columns)
         near = np.empty(len(x), np.bool_)
-        self._library.near_any(len(x), one, two, len(other_x), three, four, within**2, _at(near))
+        self._library.near_any(len(x), one, two, len(other_x), three, four, within**2, address(near))
         return near
 
     def _differences(self) -> dict[str, int]:

@@ -39,8 +39,8 @@ SIDES = ("front", "rear", "left", "right")
 
 
 AGAIN = 16  # programs on a route of which a scene is kept to be made others of it
-_Placed = tuple[SteppedSession, Bound, Callable[[], object]]
-"""A placed scene, the same as arrays, and what makes the first it again."""
+_Placed = tuple[SteppedSession, Callable[[], Bound], Callable[[], object]]
+"""A placed scene, what makes the same as arrays, and what makes the first it again."""
 
 
 class _Senses(TypedDict):
@@ -291,11 +291,24 @@ class _Again:
             return there
         if placement is not None and there and self.session.ending is None:
             with suppress(NotCovered):
-                return self._bound.again(self.session, placement.moved)
-            with suppress(NotCovered):  # its lines or its phases are other ones
-                return bind(self.session, self._program)
+                return self._arrays(placement)
         self._apart = scene
         return None
+
+    def anew(self, scene: Scene) -> Bound:
+        """The same of a scene that `scene` was asked for before."""
+        self.be(scene)
+        return self._arrays(self._placement)
+
+    def _arrays(self, placement: Placement) -> Bound:
+        """What the session is now, as arrays.
+
+        Raises:
+            NotCovered: The engine does not do what the scene needs.
+        """
+        with suppress(NotCovered):
+            return self._bound.again(self.session, placement.moved)
+        return bind(self.session, self._program)  # its lines or its phases are other ones
 
 
 class NativeSimulator:
@@ -367,7 +380,8 @@ class NativeSimulator:
             raise
         opened.close()
         self._embedded.learn(program, scene, opened)
-        return self._keep(key, pedals, opened, bound, bool)
+        self._keep(key, opened, bound.copy, bool)
+        return self._session(pedals, opened, bound.copy(), bool)
 
     def alone(
         self, program: ScenicProgram, scene: Scene, ego: EgoPolicy, *, through_collisions: bool
@@ -390,13 +404,15 @@ class NativeSimulator:
         """A scene that is kept, or made of another one of its program; None if it is neither."""
         if key in self._placed:
             self._placed.move_to_end(key)
-            return self._session(senses["pedals"], *self._placed[key])
+            session, arrays, be = self._placed[key]
+            return self._session(senses["pedals"], session, arrays(), be)
         if (again := self._again.get(_like(program, scene, senses))) is None:
             return None
         found = again.scene(scene)
         if found is None or isinstance(found, Rejected):
             return found
-        return self._keep(key, senses["pedals"], again.session, found, partial(again.be, scene))
+        self._keep(key, again.session, partial(again.anew, scene), be := partial(again.be, scene))
+        return self._session(senses["pedals"], again.session, found, be)
 
     def _unscenic(
         self, key: tuple[object, ...], program: ScenicProgram, scene: Scene, senses: _Senses
@@ -411,22 +427,23 @@ class NativeSimulator:
         except NotCovered:
             return None  # which the embedded simulator says
         if differs is None:
-            return self._keep(key, senses["pedals"], placed, bound, bool)
+            self._keep(key, placed, bound.copy, bool)
+            return self._session(senses["pedals"], placed, bound.copy(), bool)
         again = _Again(self._embedded, differs, placed, bound, program, scene)
         self._again[_like(program, scene, senses)] = again
         while len(self._again) > AGAIN:
             self._again.popitem(last=False)
-        return self._keep(key, senses["pedals"], placed, bound, partial(again.be, scene))
+        self._keep(key, placed, partial(again.anew, scene), be := partial(again.be, scene))
+        return self._session(senses["pedals"], placed, bound.copy(), be)
 
-    def _keep(self, key: tuple[object, ...], pedals: str, *placed: *_Placed) -> NativeSession:
+    def _keep(self, key: tuple[object, ...], *placed: *_Placed) -> None:
         self._placed[key] = placed
         while len(self._placed) > self.keeps:
             self._placed.popitem(last=False)
-        return self._session(pedals, *placed)
 
     def _session(self, pedals: str, reference: SteppedSession, bound: Bound, be: Callable[[], object]) -> NativeSession:
         assert self._engine is not None
-        return NativeSession(reference, bound.copy(), self._engine, pedals, be)
+        return NativeSession(reference, bound, self._engine, pedals, be)
 
     def _bound(self, opened: SteppedSession, program: ScenicProgram, placement: Placement | None = None) -> Bound:
         if self._engine is None:
