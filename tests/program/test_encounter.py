@@ -27,6 +27,7 @@ from chatscene.terms.vocabulary import (
     Part,
     RightOfWay,
     Side,
+    Striker,
     UserKind,
     Where,
 )
@@ -104,6 +105,24 @@ def test_who_drives_away_before_the_ego_meets_nobody() -> None:
     late = moving(30.0, -3.0, (25, 0.0, 0.0), (10, 2.0, 20.0), (20, 3.0, 0.0), (150, 4.0, 0.0))
     assert shown("encounter.adversary", pulls_out, episode(early)) is False
     assert shown("encounter.adversary", pulls_out, episode(late)) is True
+
+
+def struck(where: Where, *does: Deed) -> Situation:
+    return one(other(where, *does), contact=Contact(whom="adversary", striker=Striker.OTHER))
+
+
+@pytest.mark.parametrize(("speed", "meets"), [(EGO_SPEED, False), (EGO_SPEED + 0.1, False), (EGO_SPEED + 2.0, True)])
+def test_who_only_keeps_its_distance_behind_the_ego_does_not_run_into_it(speed: float, meets: bool) -> None:
+    follows = moving(-6.5, 0.0, (60, speed, 0.0), speed=speed)
+    assert shown("encounter.adversary", struck(Where.BEHIND, Deed(act=Act.GO_ALONG)), episode(follows)) is meets
+
+
+@pytest.mark.parametrize(("ahead", "meets"), [(42.0, False), (8.0, True)])
+def test_who_backs_far_from_the_ego_does_not_back_into_it(ahead: float, meets: bool) -> None:
+    backs = moving(ahead, 0.0, (20, 0.0, 0.0), (10, -1.5, 0.0), (20, -1.5, 0.0), (10, 0.0, 0.0))
+    seen = with_ego(episode(backs), np.zeros(len(backs.x)))
+    said = struck(Where.AHEAD, Deed(act=Act.STAND), Deed(act=Act.REVERSE))
+    assert shown("encounter.adversary", said, seen) is meets
 
 
 def test_a_leader_that_brakes_is_met_by_an_ego_that_goes_on() -> None:

@@ -17,6 +17,7 @@ from chatscene.build.own_speeds import at_own_speeds
 from chatscene.build.place import GOES_OVER, NEXT_LANE, Found, at_junction, changed_at, merged_at
 from chatscene.build.relations import PASSES, speed_of
 from chatscene.build.restated import is_way
+from chatscene.build.struck import STANDS_FOR, creeps_at, gives_way, slows_turning
 from chatscene.errors import NotBuilt, NothingBuilds
 from chatscene.maps.routes import TO_LINE
 from chatscene.situations.phrases import one_of
@@ -56,6 +57,7 @@ EASED = 0.4  # of its speed that an ego keeps that loses some before it does som
 AT_ONCE = 0.1  # [s] after which an ego begins to lose speed that waited for somebody
 SLOWED = 1.0  # [s] that it has lost speed, so that it is seen to, when it does something else
 GOES_THROUGH, THROUGH = 5.0, 14.0  # [m/s], [m] before and beyond where it is to give way, that an ego goes on
+TURNING = 3.0  # [m] beyond where the junction begins, an ego is seen to turn
 OVER_LANE, INTO_TURN = 3.0, 9.0  # [m] on its way into a lane, or through a turn, that an ego is across a lane
 UP, UP_FOR, UP_AFTER = 1.5, 2.5, 1.0  # [m/s], [s] that an ego goes back, and [s] that it has stood before
 UP_GAIN = 2.0  # [m/s²] about with which it gets there
@@ -126,12 +128,8 @@ def ego_of(ledger: Ledger, found: Found, at_most: float = NOMINAL.speed) -> Buil
     longer = 0.5 * (body.length - LIMITS[CAR].length) + _queue(situation, waits=at_line)  # its nose is so much nearer
     ledger.situation = situation = at_own_speeds(situation, speed)
     _over_in_time(ledger, found.route)
-    stop = found.route.eventAt - (LINE + longer if junction else 0.0)
-    if at_line:  # it begins there, and stops again with its nose in the junction
-        stop = TO_LINE + longer
-    if stops_across(ego.does) and (across := _across(found, junction=junction)) is not None:
-        stop = across
-    orders = tuple(_orders(ledger, ego.does, stop, speed, found.sides))
+    stop = _stops_at(situation, found, longer, junction=junction, at_line=at_line)
+    orders = (*_orders(ledger, ego.does, stop, speed, found.sides), *_struck_as_it_sets_off(ledger, speed))
     back = backs(situation)
     if (ego.route in BEGINS or back) and not stands:  # others are to come meanwhile
         stands, orders = True, (Order(at_most=0, till=BESIDE), *orders)
@@ -148,6 +146,29 @@ def ego_of(ledger: Ledger, found: Found, at_most: float = NOMINAL.speed) -> Buil
     return BuiltEgo(
         params=tuple(params), query=query, coming=comes, properties=moving + strong(ego.row) + wanted, orders=orders
     )
+
+
+def _stops_at(situation: Situation, found: Found, longer: float, *, junction: bool, at_line: bool) -> float:
+    """How far [m] along its way an ego is to be slow, or to stand, whose nose is so much nearer [m] to the line."""
+    if stops_across(situation.ego.does) and (across := _across(found, junction=junction)) is not None:
+        return across
+    if junction and slows_turning(situation):
+        return found.route.eventAt + TURNING
+    if at_line:  # it begins there, and stops again with its nose in the junction
+        return TO_LINE + longer
+    return found.route.eventAt - (LINE + longer if junction else 0.0)
+
+
+def _struck_as_it_sets_off(ledger: Ledger, speed: float) -> Iterator[Order]:
+    """Orders of an ego that somebody runs into as it sets off: it has stood before, and gets no faster at first."""
+    if (creeps := creeps_at(ledger.situation, speed)) is None:
+        return
+    first, (slow, who) = ledger.situation.ego.does[0], creeps
+    stands = STANDS_FOR if first.act is not Act.STAND else _wait(first, ledger.situation.ego.does[1:])
+    ledger.assume(f"the ego sets off at {3.6 * slow:.0f} km/h, as {who} runs into its rear then")
+    if first.act is not Act.STAND:
+        yield Order(at_most=0, till=stands)
+    yield Order(at_most=round(slow, 2), till=2.0 * stands)
 
 
 def _queue(situation: Situation, *, waits: bool) -> float:
@@ -478,7 +499,7 @@ def _pedals(
                 return begins
             wait = _seconds(ledger, deed, at)
             yield Order(at_most=0, till=wait if again or deed.time is not None else math.inf)
-        case Act.STOP:
+        case Act.STOP | Act.YIELD if deed.act is Act.STOP or gives_way(ledger.situation):
             till = max(there, 0.0) / speed + speed / 6.0 + _seconds(ledger, deed, at)
             ends = round(till, 1) if again or deed.time is not None else math.inf
             yield Order(at_most=0, place=round(there, 1), till=ends, braking=_braking(ledger, deed, at, 3.0))

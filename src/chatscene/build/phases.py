@@ -36,6 +36,7 @@ from chatscene.build.paces import CRAWLS, Pace, Paces, Speed, paces_of, set_pass
 from chatscene.build.place import NEXT_LANE, at_roundabout, leaves_by_ramp
 from chatscene.build.reacting import LOCKS, SLOWED, ego_slows, goes_until_ego_slows, swerves_slowed
 from chatscene.build.relations import grip_of
+from chatscene.build.struck import strikes
 from chatscene.build.timing import Body, Course, Meeting, course
 from chatscene.build.towards import to_whom
 from chatscene.build.waiting import when_of
@@ -144,6 +145,10 @@ class Phases:
     def _all(self) -> Iterator[str]:
         actor, meets = self.actor, self.actor.stand.meets
         go = MOVE if meets is Meets.ACROSS else GO
+        if into := strikes(actor):
+            self.due_after = [0] * len(actor.deeds)
+            yield from into
+            return
         if not actor.deeds:
             yield from self._careful((self._undirected(go),))
             return

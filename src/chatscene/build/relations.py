@@ -13,6 +13,7 @@ from enum import Enum
 
 from chatscene.build.contact import is_held_up, strikes_from_behind
 from chatscene.build.place import NEXT_LANE
+from chatscene.build.struck import AT, runs_into
 from chatscene.build.timing import HELD, Body
 from chatscene.errors import NotBuilt
 from chatscene.maps.open_road import PASSING, SWING
@@ -92,10 +93,11 @@ def _holds(situation: Situation, one: Other) -> float:
     return Body(situation.row_of(one).limits, walks=False).fastest
 
 
-def _said_behind(one: Other) -> float:
+def _said_behind(situation: Situation, one: Other) -> float:
     """The speed [m/s] that was said of somebody who comes along behind the ego, and does nothing else; inf if none."""
     met = one.starts.where is Where.BEHIND and one.role is Role.ADVERSARY
     goes = met and bool(one.does) and all(deed.act in _GOES for deed in one.does)
+    goes = goes and runs_into(situation, one) is None  # whom the ego lets come up by what it does
     said = said_speed(one, 0.0) if goes and not _than_ego(one) else None
     return math.inf if said is None or said <= 0.0 else said
 
@@ -112,7 +114,7 @@ def speed_kept_up(situation: Situation) -> float:
     held = (_holds(situation, one) for one in situation.others if goes_with(one) or _comes_from_beside(one))
     level = (said_speed(one, 0.0) for one in situation.others if _comes_from_beside(one) and not _than_ego(one))
     said = (speed for speed in level if speed)
-    return min((*held, *said, *map(_said_behind, situation.others)), default=math.inf)
+    return min((*held, *said, *(_said_behind(situation, one) for one in situation.others)), default=math.inf)
 
 
 def slows_on_its_way(situation: Situation) -> bool:
@@ -132,6 +134,9 @@ def speed_beside(situation: Situation, one: Other, ego: float) -> tuple[float, f
     if is_passed_by_ego(situation, one):
         most = passed_share(situation, one) * ego
         return _SLOWER * most, most
+    if (does := runs_into(situation, one)) is not None:
+        low, high = AT[does]
+        return low * ego, high * ego
     relation = relation_of(situation, one)
     if relation is None:
         return None
@@ -231,7 +236,7 @@ def check_kept_up(situation: Situation, ego: float) -> None:
     if situation.ego.does:  # by which it may be slower
         return
     for one in situation.others:
-        if (most := _said_behind(one)) < HELD * ego:
+        if (most := _said_behind(situation, one)) < HELD * ego:
             raise NotBuilt(
                 f"others.{one.id}: at {3.6 * most:.0f} km/h an ego at {3.6 * ego:.0f} km/h leaves it behind; say an"
                 f" ego at {3.6 * most:.0f} km/h at most, or a faster {one.kind}"

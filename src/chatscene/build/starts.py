@@ -47,6 +47,7 @@ from chatscene.build.place import (
 )
 from chatscene.build.relations import falls_behind, goes_with, slows_on_its_way, speed_of
 from chatscene.build.screening import AT_EDGE, IN_SHADOW, from_its_lane, shadowed
+from chatscene.build.struck import behind_by
 from chatscene.build.timing import Body
 from chatscene.build.turning_round import so_far_ahead
 from chatscene.errors import NoSuchPlace, NotBuilt, NothingBuilds
@@ -233,7 +234,7 @@ def _behind(asked: Asked) -> Stand:
         return comes_along(asked)
     close = asked.one.role is Role.ADVERSARY or any(deed.act is Act.TAILGATE for deed in asked.one.does)
     waits = [deed.act for deed in asked.situation.ego.does[:1]] == [Act.STAND]
-    if (room := _keeps_behind(asked)) is not None:
+    if (room := behind_by(asked) or _keeps_behind(asked)) is not None:
         asked.reach(asked.middles + room[0], asked.middles + room[1], "how far behind the ego it is")
     elif (asked.ego.stands or waits) and not asked.stands:
         stops = asked.ego.stands and bool(asked.one.does) and asked.one.does[0].act in STOPS

@@ -27,12 +27,14 @@ from chatscene.terms.episode import Episode, Track
 from chatscene.terms.polyline import Polyline
 from chatscene.terms.route import Route
 from chatscene.terms.situation import Other, Situation
-from chatscene.terms.vocabulary import LOSES, Act, Heads, Tempo, acts_of
+from chatscene.terms.vocabulary import LOSES, PLAIN, Act, Heads, Striker, Tempo, Where, acts_of
 
 LONGEST = 3.0  # [s] at most between the two at a place, or until two who both drive on would touch
 EVERY = 1.0  # [s] after which an ego that goes on evenly is followed anew
 BEFORE = 1.5  # [s] at most by which somebody is there before the ego and still meets it: the usual bound of a conflict
 NEAR = 1.0  # [m] between two bodies that meet, once somebody has begun with what it does
+CLOSES = 0.3  # [m/s] by which somebody comes up to an ego that it is to run into
+BACKS_TO = 2.0  # [m] from the ego at most, who is to back into it
 ASIDE = 1.0  # [m] beside its route an ego is that steers round somebody
 TO_COME = 150.0  # [m] that somebody may still have to come to where the ways meet at a junction
 THROUGH = 30.0  # [m] behind the entry of a junction at which a way has left it
@@ -83,6 +85,8 @@ def encounter(
     path, crash, ego = f"encounter.{one.id}", episode.collision, episode.ego_track
     if crash is not None and is_with(crash.other, one.id):
         return Finding(path=path, shown=True, told="they touch", at=crash.step * episode.dt)
+    if (told := _never_strikes(situation, one, ego, tracks[0])) is not None:
+        return Finding(path=path, shown=None if crash is not None else False, told=told)
     way, later = way_of(ego, route.line), [_goes_on_evenly(track, episode) for track in tracks]
     least = min((meeting(ego, way, track, episode.dt, since) for track in later), key=_between)
     if math.isinf(least.between) and (kept := _not_steered(ego, route.line)) is not None:
@@ -103,6 +107,33 @@ def encounter(
     told = f"they could not meet: {told}, and never nearer than {gap:.1f} m"
     late = _late(least, ego, tracks[0], since)
     return Finding(path=path, shown=None if crash is not None else False, told=told, late=late)
+
+
+def _never_strikes(situation: Situation, one: Other, ego: Track, track: Track) -> str | None:
+    """That somebody in line with the ego who is to run into it never comes up to it, in words; None if it does.
+
+    Who is behind comes up to it if it is faster and would soon touch it; who backs, if it backs near to it.
+    """
+    contact = situation.contact
+    if contact is None or not contact.happens or contact.striker is Striker.EGO:
+        return None
+    if one.id != (contact.whom or situation.adversaries[0].id) or len(track.x) > len(ego.x):
+        return None
+    acts, steps = {deed.act for deed in one.does}, len(track.x)
+    gap = gaps(ego, track)[:steps]
+    if one.starts.where is Where.BEHIND and acts <= PLAIN:
+        faster = np.abs(track.speed) - np.abs(ego.speed[:steps])
+        near = (times_to_collision(ego, track)[:steps] <= LONGEST) & (faster > CLOSES)
+        return (
+            None if near.any() else f"it is to run into the ego, and never comes up to it: {gap.min():.1f} m at least"
+        )
+    if one.starts.where is Where.AHEAD and Act.REVERSE in acts:
+        backing = gap[track.speed < -CLOSES]
+        if backing.size and backing.min() <= BACKS_TO:
+            return None
+        nearest = f"it is {backing.min():.1f} m from it" if backing.size else "it never backs"
+        return f"it is to back into the ego, and {nearest}"
+    return None
 
 
 def _late(meets: Meeting, ego: Track, track: Track, since: int) -> Late | None:
