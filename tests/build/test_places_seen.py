@@ -35,6 +35,7 @@ ON_MAP = {
     Feature.MEDIAN: "divided",
     Where.MEDIAN: "divided",
     RoadKind.RAMP: "on-ramp",
+    RoadKind.T_END: "stem",
     RoadKind.JUNCTION: "(?:junction|three-way|four-way)",
     RoadKind.PARKING_LOT: "bays",
 }
@@ -45,6 +46,7 @@ IN_NAME = {
     Feature.PARKING_PLACES: "parking",
     Feature.LANE_DROP: "drop",
     Feature.NARROW: "lane=",
+    RoadKind.MINI_ROUNDABOUT: "diameter=18",
     RightOfWay.STOP_SIGN: "signs=side-stop",
     RightOfWay.YIELD_SIGN: "signs=yield",
     RightOfWay.PRIORITY: "signs=side-yield",

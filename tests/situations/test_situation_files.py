@@ -144,7 +144,7 @@ def test_what_cannot_be_together_is_refused(there: str, instead: str, told: str)
         ("ego: [", "line 1: "),
         ("- 1", "a situation is a mapping"),
         ("ego: {}\nego: {}", "line 2, ego: 'ego' is here twice"),
-        ("ego: 3", "3 is not a mapping; write one with kind, route, speed, does"),
+        ("ego: 3", "3 is not a mapping; write one with kind, route, exit, speed, does"),
         ("[1]: 2", "a name is a word"),
         ("version: 99", "version 99 is from another chatscene"),
         ("ego: " + "[" * 5000, "it is nested too deeply"),

@@ -11,7 +11,7 @@ from chatscene.build.chain import in_terms_of
 from chatscene.build.coming import Coming
 from chatscene.build.deeds import GO
 from chatscene.build.numbers import Numbers
-from chatscene.build.place import AT_JUNCTION, Found, arm_of, at_roundabout, from_left, ring_arms, room_against, way_of
+from chatscene.build.place import AT_JUNCTION, Found, arm_of, at_roundabout, from_left, ring_arms, room_against, ways_of
 from chatscene.build.timing import Body, Course, Meeting, course
 from chatscene.errors import NoSuchPlace, NotBuilt
 from chatscene.maps.crossings import MEETING, CrossingPath, conflicting_paths, passing_path
@@ -42,7 +42,7 @@ def through(asked: Asked) -> Stand:
     if at_roundabout(asked.situation):
         return roundabout(asked)
     arm = arm_of(asked.situation, asked.one, asked.found.sides)
-    turn = way_of(asked.situation, asked.one, arm)
+    turn = _turn(asked.situation, asked.found, asked.one, arm)
     found = way_through(asked.situation, asked.found, asked.one)
     assert found is not None  # or the place would not have been found
     way = f'wayOf(trafficFrom(egoRoute, "{arm}"), "{turn}"{_lane(asked.situation, asked.one, text=True)})'
@@ -93,11 +93,17 @@ def way_through(situation: Situation, found: Found, one: Other) -> CrossingPath 
     Who comes from the arm opposite and goes straight on need not come over the ego's way.
     """
     arm = arm_of(situation, one, found.sides)
-    turn = way_of(situation, one, arm)
+    turn = _turn(situation, found, one, arm)
     if _meets(found, arm, turn):
         return wayOf(trafficFrom(found.route, arm), turn, _lane(situation, one))
     passes = arm == "oncoming" and turn is Maneuver.STRAIGHT
     return passing_path(found.route.network, found.route.route) if passes else None
+
+
+def _turn(situation: Situation, found: Found, one: Other, arm: str) -> Maneuver:
+    """What somebody from an arm does: the first of what it may do that leads over the ego's way."""
+    ways = ways_of(situation, one, arm)
+    return next((way for way in ways if _meets(found, arm, way)), ways[0])
 
 
 def _meets(found: Found, arm: str, turn: Maneuver) -> bool:

@@ -2,19 +2,28 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
+from typing import Any
 
-from chatscene.build.place import AT_CROSSWALKS, DROPS, Found, at_junction, at_signed_driveway, beside_ramp
+from chatscene.build.place import (
+    AT_CROSSWALKS,
+    DROPS,
+    Found,
+    at_junction,
+    at_roundabout,
+    at_signed_driveway,
+    beside_ramp,
+)
 from chatscene.maps.limits import is_called
 from chatscene.maps.road_spec import Along, LaidRoad
 from chatscene.maps.settings import is_two_way, lies_in
 from chatscene.maps.sites import AT_JUNCTIONS
 from chatscene.terms.amount import Speed
 from chatscene.terms.route import Equipment
-from chatscene.terms.routing import CONTROLS, PLACES
+from chatscene.terms.routing import CONTROLS, PLACES, SHAPES, SIDES
 from chatscene.terms.scenario import Site
 from chatscene.terms.situation import Situation
-from chatscene.terms.vocabulary import EgoRoute, Feature, RightOfWay, RoadKind
+from chatscene.terms.vocabulary import ARMS_OF, ROUNDABOUTS, EgoRoute, Feature, RightOfWay, RoadKind
 
 NARROW = 3.2  # [m], up to which two cars do not pass each other in a lane
 ROUNDED = 0.3  # [m/s], by which limits are rounded
@@ -44,7 +53,7 @@ _AT_SITE: dict[Feature, frozenset[Site]] = {
 """Where the road has what was said of it."""
 _MOTORWAYS = (Site.MOTORWAY, *(one for one in AT_JUNCTIONS if one is not Site.ROUNDABOUT))
 _OF_KIND: dict[RoadKind | None, tuple[Site, ...]] = {
-    RoadKind.ROUNDABOUT: (Site.ROUNDABOUT,),
+    **dict.fromkeys(ROUNDABOUTS, (Site.ROUNDABOUT,)),
     RoadKind.MOTORWAY: _MOTORWAYS,
     RoadKind.RAMP: _MOTORWAYS,
     RoadKind.RAIL_CROSSING: (Site.RAIL_CROSSING,),
@@ -58,7 +67,7 @@ _SITES_OF: dict[EgoRoute | None, tuple[Site, ...]] = {
 
 def equipment_of(situation: Situation) -> Iterator[str]:
     """What the road is to have for what was said of it, if a map has it there."""
-    junction = at_junction(situation)
+    junction = at_junction(situation) or at_roundabout(situation)
     has = {*situation.road.has, *(Feature.CROSSWALK for one in situation.others if one.starts.where in AT_CROSSWALKS)}
     if not junction:
         has.discard(Feature.CROSSWALK)  # which is a site of its own there
@@ -74,6 +83,10 @@ def as_said(situation: Situation, found: Found) -> Iterator[str]:
     network = found.route.network
     first = network.elements[found.route.route.lane_ids[0]]
     holds = {
+        "ego.exit": "by_exit" in query,
+        "road.arms": road.arms is not None and _has_arms(road.arms, query),
+        "road.side_road": road.side_road is not None and query.get("shape") == SIDES[road.side_road],
+        "road.diameter": "across" in query,
         "ego.route": situation.ego.route not in _SITES_OF or site in _SITES_OF[situation.ego.route],
         "road.lanes": road.lanes == lanes_there(found),
         "road.ego_lane": query.get("lane", 0) in (road.ego_lane, (road.ego_lane or 0) + beside_ramp(query)),
@@ -114,6 +127,7 @@ _IN_LAID: dict[Feature, Callable[[LaidRoad], bool]] = {
     Feature.PARKING_PLACES: lambda laid: laid.parking is not None,
     Feature.CYCLE_LANE: lambda laid: laid.cycle_lane,
     Feature.CROSSWALK: lambda laid: laid.crosswalk,
+    Feature.TURN_LANE: lambda laid: laid.turn_lane is not None,
 }
 """What a road has all along, or in its middle, if it was laid so."""
 
@@ -124,11 +138,17 @@ def _is_limit(said: Speed, found: Found) -> bool:
     return not said.than_ego and abs(float(there) - said.most) < ROUNDED
 
 
+def _has_arms(arms: int, query: Mapping[str, Any]) -> bool:
+    """Whether a route was asked for whose junction has so many arms."""
+    return arms in (query.get("arms"), *(ARMS_OF[kind] for kind in ARMS_OF if PLACES[kind] == query.get("place")))
+
+
 def lanes_there(found: Found) -> int:
     """How many lanes go the ego's way where its route begins; of a ramp, on the road that it joins."""
     joins = found.query.get("site") == Site.ON_RAMP
     group = found.route.network.elements[found.route.route.lane_ids[-1 if joins else 0]].group
-    others = found.laid is not None and (found.laid.bus_lane or found.laid.ridden)  # of which nobody speaks
+    laid = found.laid  # of which nobody speaks:
+    others = laid is not None and (laid.bus_lane or laid.ridden or laid.turn_lane is not None)
     return len(group.lanes) - beside_ramp(found.query) - others
 
 
@@ -140,6 +160,8 @@ def _is_kind(kind: RoadKind | None, found: Found) -> bool:
         return is_called(
             found.route.network, found.route.network.elements[found.route.route.lane_ids[0]].road.id, "motorway"
         )
+    if kind in SHAPES:
+        return found.query.get("shape") == SHAPES[kind]
     if kind in _OF_KIND:
         return found.query.get("site") in _OF_KIND[kind]
     if kind is RoadKind.PARKING_LOT:

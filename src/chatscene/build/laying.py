@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
+from chatscene.build.arms import diameter, meets, signs, turn_lane
 from chatscene.build.coming import further, wanted_by
 from chatscene.build.fitting import abreast
 from chatscene.build.holding import NARROW
@@ -18,27 +19,22 @@ from chatscene.build.place import (
     in_bus_lane,
     in_cycle_lane,
     leaves_by_ramp,
-    only_side_signs,
     rides_at_edge,
     shares_driveway,
     turns_in,
 )
 from chatscene.errors import MapError
 from chatscene.maps.limits import KMH
-from chatscene.maps.road_spec import LENGTH, LONGEST, MOUTH, Along, Bend, LaidRoad, Meets, Ramp, Sides, Signs
+from chatscene.maps.road_spec import LENGTH, LONGEST, MOUTH, Along, Bend, LaidRoad, Ramp, Sides
 from chatscene.terms.amount import Speed
-from chatscene.terms.situation import Other, Situation
+from chatscene.terms.situation import Situation
 from chatscene.terms.vocabulary import (
-    Breach,
     EgoRoute,
     Feature,
-    Heads,
-    RightOfWay,
     RoadKind,
     Setting,
     Side,
     Where,
-    acts_of,
 )
 
 MEDIAN, MOTORWAY_MEDIAN = 3.0, 4.0  # [m]
@@ -48,12 +44,10 @@ WIDE = 8.0  # [m] of a driveway in which somebody waits while another turns in
 BENDS_AT = 2.5  # [m/s²] across, that a bend takes whose radius was not said
 OUTSIDE_TOWN = 60 * KMH  # [m/s], from which on a road of which no setting was said lies outside a town
 RAMPS_LONG = 1500  # [m] of a motorway with a ramp in its middle
-_UNLAID_KINDS = frozenset((RoadKind.ROUNDABOUT, RoadKind.PARKING_LOT, RoadKind.RAIL_CROSSING))
+_UNLAID_KINDS = frozenset((RoadKind.PARKING_LOT, RoadKind.RAIL_CROSSING))
 _OF_SETTING = {Setting.TOWN: Along.TOWN, Setting.RESIDENTIAL: Along.RESIDENTIAL, Setting.RURAL: Along.RURAL}
 _BESIDE_TOWN = frozenset((Feature.PARKED_CARS, Feature.PARKED_BOTH_SIDES, Feature.PARKING_PLACES, Feature.BUS_STOP))
 _BENDS = {RoadKind.CURVE: True, RoadKind.LEFT_CURVE: True, RoadKind.RIGHT_CURVE: False}
-_TURNS = {EgoRoute.LEFT_TURN: Side.LEFT, EgoRoute.TURN: Side.LEFT, EgoRoute.RIGHT_TURN: Side.RIGHT}
-_OFF = acts_of(Heads.TURNS, Heads.IN)
 _OVER = {EgoRoute.LANE_CHANGE_LEFT, EgoRoute.LANE_CHANGE_RIGHT, EgoRoute.LANE_CHANGE}
 
 
@@ -74,7 +68,7 @@ def _road_for(situation: Situation, *, rides: bool) -> LaidRoad | None:
     road, others = situation.road, situation.others
     places = {one.starts.where for one in others}
     ramps = [*_ramps(situation)]
-    if at_roundabout(situation) or road.kind in _UNLAID_KINDS or len(ramps) > 1:
+    if road.kind in _UNLAID_KINDS or len(ramps) > 1:
         return None
     ramp = next(iter(ramps), None)
     ahead = _ahead(situation)
@@ -84,7 +78,8 @@ def _road_for(situation: Situation, *, rides: bool) -> LaidRoad | None:
     along = Along.MOTORWAY if ramp is not None else _along(situation)
     has = {*road.has}
     narrow = Feature.NARROW in has and ahead == 1
-    junction = _meets(situation) if at_junction(situation) else None
+    ring = ahead if at_roundabout(situation) else 0
+    junction = meets(situation) if ring or at_junction(situation) else None
     ends = ending_lane(situation) if junction is None else None
     ends = ends if ramp is None else None  # else it is that of the ramp
     drop = ends is not None or (junction is None and ramp is None and situation.ego.route is EgoRoute.MERGE)
@@ -113,7 +108,11 @@ def _road_for(situation: Situation, *, rides: bool) -> LaidRoad | None:
             drop_left=ends is Side.LEFT,
             ramp=ramp,
             junction=junction,
-            signs=_signs(situation) if junction is not None else None,
+            side=max(1, ring),
+            ring=ring,
+            diameter=diameter(situation) if ring else 0.0,
+            turn_lane=turn_lane(situation) if junction is not None else None,
+            signs=signs(situation) if junction is not None and not ring else None,
             length=max(_length(situation, junction=junction is not None), RAMPS_LONG if ramp is not None else 0),
         )
     except MapError:  # what was said of it does not go together
@@ -153,7 +152,7 @@ def _back(situation: Situation, ahead: int) -> int:
     """Lanes the other way: as many, but where the road is one-way or there is room for one car only."""
     road, places = situation.road, {one.starts.where for one in situation.others}
     comes = Where.ONCOMING in places
-    if at_junction(situation):
+    if at_junction(situation) or at_roundabout(situation):
         return ahead
     if road.two_way is False and not comes and road.kind is not RoadKind.MOTORWAY and not _is_divided(situation):
         return 0
@@ -216,39 +215,6 @@ def _driveway(situation: Situation) -> Sides | None:
     if len(there) > 1:
         return Sides.BOTH
     return next((Sides(str(side)) for side in there), None)
-
-
-def _meets(situation: Situation) -> Meets:
-    """Which arms the junction has beside the ego's road: as was said, else those that somebody comes from or takes."""
-    road, route = situation.road, situation.ego.route
-    sides = {one.starts.side or Side.RIGHT for one in situation.others if one.starts.where is Where.ARM}
-    if route is not None and route in _TURNS:
-        sides.add(_TURNS[route])
-    if road.kind is RoadKind.FOUR_WAY or len(sides) != 1:
-        return Meets.FOUR if road.kind is not RoadKind.THREE_WAY or len(sides) > 1 else Meets.RIGHT
-    (side,) = sides
-    goes_over = any(_through(one) for one in situation.others)
-    return Meets.FOUR if goes_over and road.kind is not RoadKind.THREE_WAY else Meets(str(side))
-
-
-def _through(one: Other) -> bool:
-    """Whether somebody from an arm goes straight on over the ego's road."""
-    return one.starts.where is Where.ARM and not any(deed.act in _OFF for deed in one.does)
-
-
-def _signs(situation: Situation) -> Signs | None:
-    """What rules the junction, and for whom."""
-    broken = {deed.breaks for one in situation.others for deed in one.does}
-    if only_side_signs(situation):
-        gives_way = situation.road.control is RightOfWay.PRIORITY and Breach.STOP_SIGN not in broken
-        return Signs.SIDE_YIELD if gives_way else Signs.SIDE_STOP
-    ruled = situation.road.control
-    if situation.road.ego_light is not None or Breach.RED_LIGHT in broken:
-        ruled = RightOfWay.SIGNAL
-    return None if ruled is None else _SIGNS.get(ruled)
-
-
-_SIGNS = {RightOfWay.SIGNAL: Signs.SIGNAL, RightOfWay.STOP_SIGN: Signs.STOP, RightOfWay.YIELD_SIGN: Signs.YIELD}
 
 
 def _length(situation: Situation, *, junction: bool) -> int:

@@ -10,7 +10,10 @@ from chatscene.situations.facts import said_in, within
 from chatscene.terms.lateral import LATERAL_OF_STARTS
 from chatscene.terms.situation import Situation
 
-LEFT_OUT = re.compile(r"^(?:road\.(?:has\.\d+|setting|speed_limit)|contact\.(?:ego|other|happens|striker)|.*\.manner)$")
+LEFT_OUT = re.compile(
+    r"^(?:road\.(?:has\.\d+|setting|speed_limit|arms|side_road|diameter)"
+    r"|contact\.(?:ego|other|happens|striker)|.*\.manner)$"
+)
 """Facts that a scene may lack and still show the conflict: they are told as left out, not refused."""
 
 

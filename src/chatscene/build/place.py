@@ -17,7 +17,9 @@ from chatscene.terms.routing import BEGINS, ENDS
 from chatscene.terms.scenario import Maneuver, Site
 from chatscene.terms.situation import EGO, Other, Situation
 from chatscene.terms.vocabulary import (
+    ARMS_OF,
     HALTS,
+    ROUNDABOUTS,
     Act,
     Breach,
     EgoRoute,
@@ -91,7 +93,10 @@ def at_junction(situation: Situation) -> bool:
     elsewhere = at_roundabout(situation) or beside_lane(situation) or road.kind is RoadKind.RAIL_CROSSING
     goes_on = situation.ego.route in (None, EgoRoute.STRAIGHT)
     return not elsewhere and (
-        road.kind in (RoadKind.JUNCTION, RoadKind.THREE_WAY, RoadKind.FOUR_WAY)
+        road.kind in (RoadKind.JUNCTION, *ARMS_OF)
+        or road.arms is not None
+        or road.side_road is not None
+        or Feature.TURN_LANE in road.has
         or situation.ego.route in TURNS
         or (control_of(situation) is not None and not (at_free_crosswalk(situation) or at_signed_driveway(situation)))
         or any(one.starts.where.row.junction for one in others if one.starts.where not in ROUNDABOUT_PLACES)
@@ -298,7 +303,8 @@ def only_side_signs(situation: Situation) -> bool:
 
 def at_roundabout(situation: Situation) -> bool:
     """Whether it happens at a roundabout."""
-    named = situation.road.kind is RoadKind.ROUNDABOUT or situation.ego.route is EgoRoute.ROUNDABOUT
+    road, ego = situation.road, situation.ego
+    named = road.kind in ROUNDABOUTS or ego.route is EgoRoute.ROUNDABOUT or ego.exit is not None
     return named or any(one.starts.where in ROUNDABOUT_PLACES for one in situation.others)
 
 
@@ -346,6 +352,29 @@ def from_left(situation: Situation, one: Other) -> bool:
     """Whether somebody comes along the road that the ego drives onto out of a driveway, in the lane that it takes."""
     out = situation.ego.route is EgoRoute.LEAVE_DRIVEWAY or (backs(situation) and situation.ego.route in BEGINS)
     return out and one.starts.where is Where.ARM and one.starts.side in (Side.LEFT, None)
+
+
+def arms_said(situation: Situation) -> int | None:
+    """How many arms were said, by their number or by the kind of the junction."""
+    road = situation.road
+    return road.arms if road.kind is None else ARMS_OF.get(road.kind, road.arms)
+
+
+def says_way(one: Other) -> bool:
+    """Whether it was said where somebody goes who comes through a junction."""
+    return any(deed.act in (*WAYS, Act.ENTER, Act.GO_STRAIGHT) for deed in one.does)
+
+
+def ways_of(situation: Situation, one: Other, arm: str) -> tuple[Maneuver, ...]:
+    """What somebody who comes through a junction may do there: as was said, else straight on, best first.
+
+    Where three arms were said, it need not be that: who goes on then turns, and at a fork who goes straight does.
+    """
+    first = way_of(situation, one, arm)
+    at_fork = situation.road.kind is RoadKind.FORK and first is Maneuver.STRAIGHT
+    if arms_said(situation) != 3 or (says_way(one) and not at_fork):
+        return (first,)
+    return tuple(dict.fromkeys((first, Maneuver.STRAIGHT, Maneuver.LEFT_TURN, Maneuver.RIGHT_TURN)))
 
 
 _COMES = {"left": -1, "right": 1, "oncoming": 2}

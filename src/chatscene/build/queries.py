@@ -6,39 +6,34 @@ from collections.abc import Iterator
 from math import ceil
 from typing import Any
 
-from chatscene.build.fitting import abreast
 from chatscene.build.holding import SITES, equipment_of
+from chatscene.build.meeting_queries import at_crossing, round_about
 from chatscene.build.over_lanes import lanes_needed
 from chatscene.build.place import (
-    AT_CROSSWALKS,
     DRIVEWAYS,
     DROPS,
     GOES_OVER,
     NEXT_LANE,
     PACKAGED,
-    arm_of,
     at_junction,
     at_roundabout,
     beside_lane,
     beside_ramp,
-    control_of,
     ending_lane,
     in_bus_lane,
     leaves_by_ramp,
-    only_others_stop,
     rides_at_edge,
     turns_in,
 )
 from chatscene.build.relations import AGAINST
 from chatscene.maps.open_road import SHORT_ROAD
-from chatscene.maps.road_spec import LaidRoad, is_laid, road_of
-from chatscene.situations.check import TURNS
+from chatscene.maps.road_spec import LaidRoad, Sides, is_laid, road_of
 from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.backing import BACKWARDS, backs
 from chatscene.terms.changing import waits_for_another
 from chatscene.terms.route import Beside, Equipment
-from chatscene.terms.routing import BEGINS, CONTROLS, ENDS, MANEUVERS, PLACES
-from chatscene.terms.scenario import Control, Maneuver, Place, Site
+from chatscene.terms.routing import BEGINS, ENDS, MANEUVERS, PLACES
+from chatscene.terms.scenario import Maneuver, Place, Site
 from chatscene.terms.situation import Other, Situation
 from chatscene.terms.vocabulary import Act, EgoRoute, Feature, Heads, RoadKind, Setting, Side, Where, acts_of
 
@@ -80,6 +75,13 @@ def _on_laid(situation: Situation, laid: LaidRoad, query: dict[str, Any]) -> dic
     if laid.bend is not None and "approach" not in asked:
         share = IN_BEND if straight else BEYOND_BEND
         asked["approach"] = max(SHORT_ROAD / 2, ceil(share * laid.bend.radius))
+    if laid.turn_lane is not None:  # which is none of those that were counted
+        asked |= {name: asked[name] + 1 for name in ("most", "lanes") if name in asked}
+        asked.pop("beside") if asked.get("beside") == "none" else None
+        if not straight:
+            asked.pop("lane", None)
+        elif laid.turn_lane is Sides.RIGHT and asked.get("lane", 0) > 0:
+            asked["lane"] += 1
     if laid.bus_lane or laid.ridden:  # the outermost, which is none of those that were counted
         beside = not (laid.ridden or in_bus_lane(situation))
         more = int(beside or situation.road.lanes is not None)  # else the ego's own is it
@@ -248,9 +250,9 @@ def _on_road(
     """Queries for the kind of road."""
     road, route, others = situation.road, situation.ego.route, situation.others
     if at_junction(situation):
-        yield from _at_junction(situation, sides, base, lanes)
+        yield from at_crossing(situation, sides, base, lanes)
     elif at_roundabout(situation):
-        yield from _round(situation, base | ({"beside": lanes[0]} if lanes else {}))
+        yield from round_about(situation, base | ({"beside": lanes[0]} if lanes else {}))
     elif any(one.starts.where is Where.ON_RAMP for one in others):
         yield base | {"site": Site.PAST_ON_RAMP.value, "beside": "right"}
     elif any(leaves_by_ramp(situation, one) for one in others):  # in the lane beside that which leads there
@@ -275,56 +277,6 @@ def _on_road(
 def _by_a_ramp(situation: Situation) -> bool:
     """Whether an ego merges from a ramp, whose lane ends, and not out of a lane of the road itself."""
     return Feature.ON_RAMP in situation.road.has or situation.road.kind in (RoadKind.MOTORWAY, RoadKind.RAMP)
-
-
-def _at_junction(
-    situation: Situation, sides: dict[str, Side], base: dict[str, Any], lanes: list[str]
-) -> Iterator[dict[str, Any]]:
-    road, others = situation.road, situation.others
-    arms = [arm for one in others if (arm := arm_of(situation, one, sides))]
-    if any(rides_at_edge(one, situation.ego.route) and one.starts.where in NEXT_LANE for one in others):
-        arms.append("oncoming")  # an arm opposite, or there is no straight on
-    query = base | {"place": PLACES.get(road.kind or RoadKind.JUNCTION, Place.JUNCTION).value}
-    if (control := control_of(situation)) is not None:
-        query["control"] = CONTROLS.get(control, Control.NONE).value
-    if arms:
-        query["crossed"] = tuple(dict.fromkeys(arms))
-    if lanes:
-        query |= {"lanes": max(2, query.get("lanes", 1)), "beside": lanes[0]}
-    if abreast(situation):  # and the ego in the lane beside theirs
-        query["lanes"] = max(2, query.get("lanes", 1))
-        if road.lanes is None and road.ego_lane is None:
-            query |= {"most": query["lanes"], "lane": query["lanes"]}
-    four = query | {"place": Place.FOUR_WAY.value} if query["place"] == Place.JUNCTION else query
-    crossed = four | {"crossed": tuple(dict.fromkeys((*arms, "left", "right", "oncoming")))}
-    asked = [*_first_at_junction(situation, query, four), query, four, crossed]
-    for one in asked:  # no query asks for what crossing traffic does there
-        if road.two_way is not None:
-            yield one | {"opposite": road.two_way}
-        yield one
-
-
-def _first_at_junction(situation: Situation, query: dict[str, Any], four: dict[str, Any]) -> tuple[dict[str, Any], ...]:
-    """What is asked for before any junction, and before any with four arms."""
-    if _of_side_road(situation):
-        free = {"control": Control.NONE.value}
-        return query | free | {"place": Place.THREE_WAY.value}, four | free
-    if _on_foot_over(situation) and not {"lanes", "lane", "beside"} & query.keys():
-        return query | {"beside": "none"}, four | {"beside": "none"}
-    return ()
-
-
-def _on_foot_over(situation: Situation) -> bool:
-    """Whether somebody is at a crosswalk, which leads over few lanes unless more were said."""
-    return any(one.starts.where in AT_CROSSWALKS for one in situation.others)
-
-
-def _of_side_road(situation: Situation) -> bool:
-    """Whether there is a junction only since somebody comes from a side: out of a lane, an alley, a field."""
-    ruled = control_of(situation) is not None and not only_others_stop(situation)
-    named = situation.road.kind not in (None, RoadKind.JUNCTION) or situation.ego.route in TURNS or ruled
-    named = named or (situation.road.kind is not None and not only_others_stop(situation))
-    return not named and any(one.starts.where is Where.ARM for one in situation.others)
 
 
 def _along(situation: Situation, base: dict[str, Any], lanes: list[str]) -> Iterator[dict[str, Any]]:
@@ -378,13 +330,6 @@ def _turns_round(one: Other) -> bool:
     """Whether somebody turns round into the lane beside the ego's."""
     there = one.starts.where in (Where.AHEAD, Where.BEHIND, Where.KERB)
     return there and any(deed.act is Act.U_TURN for deed in one.does)
-
-
-def _round(situation: Situation, base: dict[str, Any]) -> Iterator[dict[str, Any]]:
-    """Queries for a way through a roundabout; where no exit was said, one behind the entries of others."""
-    for way in (Maneuver.STRAIGHT, Maneuver.LEFT_TURN) if situation.ego.route is EgoRoute.ROUNDABOUT else ():
-        yield base | {"site": Site.ROUNDABOUT.value, "maneuver": way.value}
-    yield base | {"site": Site.ROUNDABOUT.value}
 
 
 def _at_kerb(one: Other) -> bool:

@@ -23,6 +23,7 @@ from chatscene.terms.changing import changes_later
 from chatscene.terms.lateral import PLACED
 from chatscene.terms.situation import EGO, LATERALS, SEVERAL, Deed, Ego, Lateral, Other, Situation, When
 from chatscene.terms.vocabulary import (
+    ENDS_THERE,
     FOR_SOMEBODY,
     PLAIN,
     SIDEWAYS,
@@ -65,6 +66,7 @@ class Restated:
 def restated(situation: Situation) -> Restated:
     """A situation in the form in which it is built."""
     made = Restated(situation)
+    _turn_where_the_road_ends(made)
     _go_past(made)
     _over_when_told(made)
     _met_at_a_point(made)
@@ -81,6 +83,13 @@ def restated(situation: Situation) -> Restated:
     ):
         made.each(rule)
     return made
+
+
+def _turn_where_the_road_ends(made: Restated) -> None:
+    """An ego whose road ends at a junction turns there."""
+    ego = made.situation.ego
+    if made.situation.road.kind in ENDS_THERE and ego.route is None:
+        made.situation = replace(made.situation, ego=replace(ego, route=EgoRoute.TURN))
 
 
 def _fills_its_row(made: Restated, one: Other) -> Other:

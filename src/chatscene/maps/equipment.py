@@ -11,6 +11,7 @@ from chatscene.maps.car_parks import car_parks
 from chatscene.maps.furniture import Stand, furniture_of
 from chatscene.maps.junctions import GIVE_WAY_SIGN
 from chatscene.maps.kept import kept
+from chatscene.maps.ring_routes import left_at
 from chatscene.terms.route import Equipment, Route
 
 NEAR = 10.0  # [m] before or beyond a junction: a crosswalk that is nearer is one of its own
@@ -37,8 +38,12 @@ def _road(network: Any, route: Route) -> int:
 def _crosswalks(network: Any, route: Route) -> bool:
     if route.junction is None:
         return False
-    junction = network.elements[route.junction]
-    near = kept(junction, "crosswalks", lambda junction: _crosswalks_near(network, junction))
+    junctions = dict.fromkeys((network.elements[route.junction], left_at(network, route)))
+    near = [
+        one
+        for junction in junctions
+        for one in kept(junction, "crosswalks", lambda junction: _crosswalks_near(network, junction))
+    ]
     arms = (_road(network, route), network.elements[route.lane_ids[-1]].road.id)
     before, beyond = ([area for road, area in near if road == arm] for arm in arms)
     if not (before and beyond):

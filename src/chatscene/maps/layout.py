@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import heapq
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Set
 from dataclasses import dataclass
 from enum import StrEnum
 from functools import partial
@@ -22,10 +22,13 @@ from chatscene.maps.kept import kept, kept_with_network
 from chatscene.maps.lane_runs import centre_line, lane_runs
 from chatscene.maps.limits import is_called
 from chatscene.maps.neighbours import opposes, section_beside
+from chatscene.terms.route import Shape
 
 _SAME_WAY = math.radians(30)  # between the directions of two roads of one arm
 _SAME_PLACE = 30.0  # [m] between them: the widest median, and some
 _RAMP = math.radians(60)  # a way through a junction that turns by more is no merging or leaving
+_ASIDE, _HALF, _BACK = (math.radians(angle) for angle in (45, 75, 150))
+"""From where on an arm lies to a side and no more ahead; fully so, and not half; and where one has come from."""
 _RING = 500.0  # [m] round the largest roundabout
 _ROUND = 0.84  # area by that of a circle of the same circumference; a square has 0.785
 _MOTORWAY = 400.0  # [m] of a shortest motorway
@@ -88,7 +91,17 @@ def arms(junction: Any) -> int:
 
 
 def _arms(junction: Any) -> int:
-    ways = _approaches(junction)
+    return len(arm_poses([junction]))
+
+
+def arm_poses(junctions: list[Any], without: Set[str] = frozenset()) -> list[tuple[float, float, float]]:
+    """Where each arm of junctions that make one place meets it [m], and its direction [rad] out of it.
+
+    Args:
+        junctions: Scenic's intersections.
+        without: Scenic's ids of roads that are no arms, as those of a ring.
+    """
+    ways = [one for junction in junctions for one in _approaches(junction) if one[0] not in without]
     of_road: dict[str, list[tuple[float, float, float]]] = {}
     for road, pose in ways:
         of_road.setdefault(road, []).append(pose)
@@ -96,7 +109,22 @@ def _arms(junction: Any) -> int:
     for (pose,) in (poses for poses in of_road.values() if len(poses) == 1):
         if not any(_one_arm(pose, other) for other in found):
             found.append(pose)
-    return len(found)
+    return found
+
+
+def shape_from(junction: Any, lane: Any) -> Shape | None:
+    """What shape a junction of three arms has, as one comes to it in a lane; None of any other, and where none fits."""
+    comes = _heading(lane, last=True)
+    turns = [math.remainder(heading - comes, 2 * math.pi) for _, _, heading in arm_poses([junction])]
+    others = sorted(turn for turn in turns if abs(turn) < _BACK)
+    if len(turns) != 3 or len(others) != 2:
+        return None
+    left, right = [turn > _ASIDE for turn in others], [turn < -_ASIDE for turn in others]
+    if any(left) and any(right):
+        return Shape.FORK if max(map(abs, others)) < _HALF else Shape.STEM
+    if any(left) is any(right):
+        return None
+    return Shape.SIDE_LEFT if any(left) else Shape.SIDE_RIGHT
 
 
 def _approaches(junction: Any) -> list[tuple[str, tuple[float, float, float]]]:

@@ -22,6 +22,7 @@ ROUND = "round"
 _ENTERS = 10.0  # [m] before the ego is in the ring, where others may meet it
 _STEP = 1.0  # [m] between the points of a way that is compared with the ego's
 _OPPOSITE = math.radians(45)  # from right opposite an entry, up to which an exit is that by which one goes straight on
+_RUN_UP = 75.0  # [m] in the ring, at least, before who goes round in it meets the ego
 _LAP = 0.3  # of the ring, behind which it leads back to the ego's entry
 
 
@@ -49,7 +50,7 @@ def ring_ways(network: Any, route: Route) -> tuple[CrossingPath, ...]:
     own = ring.track(into.endLane.uid)
     tracks = sorted((ring.track(_level(network, track, into)) for track in ring.tracks), key=lambda one: one != own)
     laps = [_line(network, track) for track in tracks]
-    found = [_met(Polyline.join(lap, lap), 0.0, ROUND, route, inside, lap.length * _LAP) for lap in laps]
+    found = [_goes_round(lap, route, inside) for lap in laps]
     entries.sort(key=lambda entry: entry.endLane.uid not in own)
     for entry in entries:
         if entry.startLane.group is into.startLane.group:
@@ -71,6 +72,13 @@ def ring_ways(network: Any, route: Route) -> tuple[CrossingPath, ...]:
         found.append(leaves if straight else replace(circles, turn=Maneuver.LEFT_TURN))
     order = (ROUND, "left", "right", "oncoming")
     return tuple(sorted((one for one in found if one is not None), key=lambda one: order.index(one.from_side)))
+
+
+def _goes_round(lap: Polyline, route: Route, inside: float) -> CrossingPath | None:
+    """The way of who goes round in the ring already: so often in a small one that there is way enough to come along."""
+    before = math.ceil(_RUN_UP / lap.length)
+    line = Polyline.join(*(lap for _ in range(before + 1)))
+    return _met(line, 0.0, ROUND, route, inside, lap.length * (before - 1 + _LAP))
 
 
 def line_beside(network: Any, route: Route, side: str) -> Polyline:

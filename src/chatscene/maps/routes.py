@@ -22,7 +22,7 @@ from chatscene.maps.equipment import is_equipped
 from chatscene.maps.junctions import control_before, junction_control
 from chatscene.maps.kept import kept, kept_with_network
 from chatscene.maps.lane_runs import centre_line, lane_runs
-from chatscene.maps.layout import JunctionKind, arms, junction_kinds
+from chatscene.maps.layout import JunctionKind, arms, junction_kinds, shape_from
 from chatscene.maps.neighbours import opposes, section_beside
 from chatscene.maps.network import map_with
 from chatscene.maps.off_lane import TIGHTEST
@@ -183,6 +183,10 @@ def _in_words(query: RouteQuery) -> list[str]:
     words += [_EQUIPMENT[one] for one in query.has]
     if query.lane is not None:
         words.append(f"lane {abs(query.lane)} from the {'outermost' if query.lane > 0 else 'innermost'}")
+    words += [f"the shape {query.shape}"] * (query.shape is not None)
+    words += [f"{query.arms} arms"] * (query.arms is not None)
+    words += [f"{one[0]:g} to {one[1]:g} m across" for one in (query.across,) if one is not None]
+    words += [f"exit {query.by_exit}"] * (query.by_exit is not None)
     words += [f"{with_article(query.begins)} to begin at" for _ in (query.begins,) if query.begins is not None]
     words += [_ENDS[query.ends] for _ in (query.ends,) if query.ends is not None]
     words += [f"{query.approach:.0f} m of road before it" for _ in (query.approach,) if query.approach is not None]
@@ -203,6 +207,10 @@ def _at_site(network: Any, map_name: str, query: RouteQuery, variant: int) -> It
         lanes_same_way=query.lanes_same_way,
         lane_beside=query.lane_beside,
         lane=query.lane if query.site in (Site.PAST_ON_RAMP, Site.PAST_OFF_RAMP) else None,
+        most_lanes=query.most_lanes if query.site is Site.ROUNDABOUT else None,
+        arms=query.arms,
+        across=query.across,
+        by_exit=query.by_exit,
     )
     known = kept(network, "_at_sites", lambda _: dict[tuple[str, RouteQuery, int], tuple[_Candidate, ...]]())
     if (map_name, way, variant) not in known:
@@ -243,10 +251,14 @@ def _through_junctions(network: Any, map_name: str, query: RouteQuery, variant: 
             continue
         if query.place not in (None, Place.JUNCTION, place_of(intersection)):
             continue
+        if query.arms not in (None, arms(intersection)):
+            continue
         maneuvers = [m for m in intersection.maneuvers if TURNS.get(m.type.name) is query.maneuver]
         for maneuver in sorted(maneuvers, key=lambda m: (m.startLane.uid, m.endLane.uid)):
             approach = APPROACHES[variant] * (1.0 if query.approach is None else query.approach / APPROACHES[0])
             control = control_before(intersection, maneuver.startLane)
+            if query.shape is not None and query.shape is not shape_from(intersection, maneuver.startLane):
+                continue
             if query.control not in (None, control) or not _offers(network, maneuver.startLane, query):
                 continue
             route = _junction_route(network, maneuver, map_name, approach)

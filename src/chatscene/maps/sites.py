@@ -14,9 +14,10 @@ from chatscene.maps.furniture import Stand, furniture_of
 from chatscene.maps.junctions import junction_control
 from chatscene.maps.lane_changes import changed, neighbour, wide_at
 from chatscene.maps.lane_runs import LaneRun, centre_line, lane_runs
-from chatscene.maps.layout import JunctionKind, motorway_groups, ramp_ways, roundabouts, weaving_sections
+from chatscene.maps.layout import JunctionKind, motorway_groups, ramp_ways, weaving_sections
 from chatscene.maps.limits import is_called
 from chatscene.maps.neighbours import opposes, section_beside
+from chatscene.maps.ring_routes import ENTRIES, Way, ways_round
 from chatscene.terms.polyline import Polyline
 from chatscene.terms.route import Route, RouteQuery
 from chatscene.terms.scenario import Control, Maneuver, Place, Site
@@ -31,8 +32,6 @@ AT_JUNCTIONS = (
     Site.LANE_DROP,
 )
 
-ENTRIES = (42.0, 36.0, 48.0, 30.0)  # [m] from a route's start to the roundabout
-EXIT = 45.0  # [m] driven after it
 RAMP = 60.0  # [m] of a ramp that is driven
 MAIN = 100.0  # [m] of the road beside it
 CHANGES = (20.0, 35.0, 50.0, 5.0)  # [m] from a ramp's nose to where a change of lanes begins, or is over
@@ -62,8 +61,6 @@ APPROACHED: Mapping[Site, float] = {
     Site.LANE_DROP: BEFORE,
 }
 """How far [m] a route usually leads up to what it leads to. If it is to be longer, all of it is, in proportion."""
-_TURN = math.radians(45)
-_NO_TURN = math.radians(135)  # and beyond: one turns round
 
 Found = tuple[str, Route]  # what to spread over, and the route, without an id
 
@@ -73,7 +70,7 @@ def routes_at(network: Any, map_name: str, query: RouteQuery, variant: int) -> I
     site = query.site
     further = 1.0 if query.approach is None or site is None else query.approach / APPROACHED[site]
     if site is Site.ROUNDABOUT:
-        ways = _round(network, ENTRIES[variant] * further)
+        ways = ways_round(network, query, ENTRIES[variant] * further)
     elif site is Site.LANE_DROP:
         ways = _out_of_ending_lanes(network, query.maneuver, variant, further)
     elif site is Site.PAST_ON_RAMP or site is Site.PAST_OFF_RAMP:
@@ -99,61 +96,7 @@ def routes_at(network: Any, map_name: str, query: RouteQuery, variant: int) -> I
             )
 
 
-_Way = tuple[str, Maneuver, Polyline, tuple[str, ...], float, Any]
-
-
-def _round(network: Any, approach: float) -> Iterator[_Way]:
-    """Into each roundabout, round it, and out at each exit but that beside the entry."""
-    runs = lane_runs(network)
-    for ring in roundabouts(network):
-        on = set(ring.lanes)
-        entries = [
-            maneuver
-            for junction in sorted(ring.junctions)
-            for maneuver in network.elements[junction].maneuvers
-            if maneuver.startLane.uid not in on and maneuver.endLane.uid in on
-        ]
-        for entry in sorted(entries, key=lambda m: (m.startLane.uid, m.endLane.uid)):
-            before = runs[entry.startLane.uid]
-            if before.line.length < approach + 2:
-                continue
-            head = before.line.between(before.line.length - approach, before.line.length)
-            ids = before.ids_between(before.line.length - approach, before.line.length)
-            for ways, last in _exits(entry, on):
-                after = runs[last.uid]
-                end = min(EXIT, after.line.length)
-                line = Polyline.join(head, *(centre_line(lane) for lane in ways), after.line.between(0.0, end))
-                maneuver = _turn_of(line)
-                if maneuver is not None and end >= 15:
-                    lanes = (*ids, *(lane.uid for lane in ways), *after.ids_between(0.0, end))
-                    yield entry.startLane.uid, maneuver, line, lanes, approach, entry.intersection
-
-
-def _exits(entry: Any, on: set[str]) -> Iterator[tuple[list[Any], Any]]:
-    """From an entry on, once round: the lanes up to each exit, and the lane beyond it."""
-    ways, lane, seen = [entry.connectingLane], entry.endLane, set[str]()
-    while lane.uid not in seen:
-        seen.add(lane.uid)
-        ways = [*ways, lane]
-        for maneuver in sorted(lane.maneuvers, key=lambda m: m.endLane.uid):
-            if maneuver.endLane.uid not in on and maneuver.connectingLane is not None:
-                yield [*ways, maneuver.connectingLane], maneuver.endLane
-        onward = next((m for m in lane.maneuvers if m.endLane.uid in on), None)
-        if onward is None:
-            return
-        ways = [*ways, onward.connectingLane] if onward.connectingLane is not None else ways
-        lane = onward.endLane
-
-
-def _turn_of(line: Polyline) -> Maneuver | None:
-    """What a way through a roundabout amounts to; None if it turns round."""
-    turned = math.remainder(line.heading_at(line.length) - line.heading_at(0.0), 2 * math.pi)
-    if abs(turned) >= _NO_TURN:
-        return None
-    return Maneuver.STRAIGHT if abs(turned) < _TURN else Maneuver.LEFT_TURN if turned > 0 else Maneuver.RIGHT_TURN
-
-
-def _at_ramps(network: Any, query: RouteQuery, variant: int, further: float) -> Iterator[_Way]:
+def _at_ramps(network: Any, query: RouteQuery, variant: int, further: float) -> Iterator[Way]:
     weaves = weaving_sections(network)
     weaving = query.site is Site.WEAVING
     on = Site.ON_RAMP if not weaving else Site.WEAVING
@@ -169,7 +112,7 @@ def _at_ramps(network: Any, query: RouteQuery, variant: int, further: float) -> 
                 yield from _off(network, way, query, variant, further)
 
 
-def _on(network: Any, way: Any, query: RouteQuery, variant: int, further: float) -> Iterator[_Way]:
+def _on(network: Any, way: Any, query: RouteQuery, variant: int, further: float) -> Iterator[Way]:
     """Down a ramp onto another road, and, for a lane change, into the lane to the left.
 
     If there must be a second lane where it begins, it begins where the ramp has joined the road.
@@ -205,7 +148,7 @@ def _on(network: Any, way: Any, query: RouteQuery, variant: int, further: float)
         yield way.startLane.uid, maneuver, line, lanes, ramp.length + at, None
 
 
-def _off(network: Any, way: Any, query: RouteQuery, variant: int, further: float) -> Iterator[_Way]:
+def _off(network: Any, way: Any, query: RouteQuery, variant: int, further: float) -> Iterator[Way]:
     """Off a road by a ramp, for a lane change from the lane to the left of the one that leads there.
 
     If a lane must lie to the right of where it begins, that is as wide there, and some way before, as others.
@@ -246,7 +189,7 @@ def _off(network: Any, way: Any, query: RouteQuery, variant: int, further: float
         yield way.startLane.uid, maneuver, line, lanes, level - start, None
 
 
-def _past_ramps(network: Any, query: RouteQuery, variant: int, further: float) -> Iterator[_Way]:
+def _past_ramps(network: Any, query: RouteQuery, variant: int, further: float) -> Iterator[Way]:
     """Straight on in the lane beside the one that comes from a ramp or leads into one, or in one that is asked for."""
     runs = lane_runs(network)
     over = 1 if query.lane is None or query.lane < 0 else query.lane - 1
@@ -302,7 +245,7 @@ def _lanes_over(network: Any, run: LaneRun, at: float, over: int) -> Any:
     return lane
 
 
-def _out_of_ending_lanes(network: Any, maneuver: Maneuver, variant: int, further: float) -> Iterator[_Way]:
+def _out_of_ending_lanes(network: Any, maneuver: Maneuver, variant: int, further: float) -> Iterator[Way]:
     """Out of each lane that tapers out, into the lane beside it."""
     side = {Maneuver.LANE_CHANGE_LEFT: 1, Maneuver.LANE_CHANGE_RIGHT: -1}.get(maneuver)
     runs = lane_runs(network)

@@ -17,7 +17,7 @@ from chatscene.terms.nouns import with_article
 from chatscene.terms.reading import Verdict
 from chatscene.terms.vocabulary import Act, Where
 
-_NOT_ASKED = NO_FACTS - {"evidence"} | {"assumed", "open", "unbuilt"}
+_NOT_ASKED = NO_FACTS - {"evidence"} | {"assumed", "open", "unbuilt", "keeps_left"}
 _NO_CONSTRAINT = ("title", "description", "examples", "default", "$schema")
 
 _SEVERAL = "list of "

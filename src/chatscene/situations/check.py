@@ -16,7 +16,10 @@ from chatscene.terms.amount import Amount
 from chatscene.terms.pointing import meant
 from chatscene.terms.situation import EGO, LATERALS, Deed, Lateral, Other, Situation
 from chatscene.terms.vocabulary import (
+    ARMS_OF,
+    ENDS_THERE,
     FOR_SOMEBODY,
+    ROUNDABOUTS,
     Act,
     Breach,
     EgoRoute,
@@ -29,7 +32,7 @@ from chatscene.terms.vocabulary import (
 
 JUNCTIONS = frozenset(
     (
-        *(RoadKind.JUNCTION, RoadKind.THREE_WAY, RoadKind.FOUR_WAY, RoadKind.ROUNDABOUT, RoadKind.RAIL_CROSSING),
+        *(RoadKind.JUNCTION, RoadKind.RAIL_CROSSING, *ARMS_OF, *ROUNDABOUTS),
         RoadKind.PARKING_LOT,  # whose aisles cross
     )
 )
@@ -245,6 +248,7 @@ def _of_road(situation: Situation) -> Iterator[Fault]:
     elsewhere = None if road.kind is None or road.kind in JUNCTIONS else road_named(road.kind)
     if elsewhere is not None and route in TURNS:
         yield Fault(("ego", "route"), f"it cannot turn at a junction where the road is {elsewhere}")
+    yield from _of_arms(situation)
     for i, one in enumerate(situation.others):
         if one.starts.where.row.junction and elsewhere is not None:
             yield Fault(
@@ -259,3 +263,30 @@ def _of_road(situation: Situation) -> Iterator[Fault]:
         lanes = "any number of" if road.lanes is None else road.lanes
         told = f"it is {road.ego_lane}, and the road has {lanes} lanes; 1 is the outermost, -1 the innermost"
         yield Fault(("road", "ego_lane"), told)
+
+
+FEWEST_ARMS, MOST_ARMS = 3, 5
+
+
+def _of_arms(situation: Situation) -> Iterator[Fault]:
+    """What is wrong in what was said of the arms of a junction or a roundabout, and of the exit from that."""
+    road, ego = situation.road, situation.ego
+    round_about = road.kind in ROUNDABOUTS or (road.kind is None and ego.route is EgoRoute.ROUNDABOUT)
+    arms = ARMS_OF.get(road.kind, road.arms) if road.kind is not None else road.arms
+    if road.arms is not None and not FEWEST_ARMS <= road.arms <= MOST_ARMS:
+        yield Fault(("road", "arms"), f"{road.arms} arms cannot be built; {FEWEST_ARMS} to {MOST_ARMS} can")
+    elif road.arms is not None and road.arms != arms and road.kind is not None:
+        yield Fault(("road", "arms"), f"it has {arms} arms where the road is {road_named(road.kind)}")
+    if road.arms is not None and road.kind is not None and road.kind not in JUNCTIONS:
+        yield Fault(("road", "arms"), f"there are no arms where the road is {road_named(road.kind)}")
+    if road.kind is not None and road.kind in ENDS_THERE and ego.route is EgoRoute.STRAIGHT:
+        yield Fault(("ego", "route"), f"nobody goes straight on {road_named(road.kind)}")
+    if road.side_road is not None and road.kind not in (None, RoadKind.JUNCTION, RoadKind.THREE_WAY):
+        yield Fault(("road", "side_road"), f"it is the third arm of a junction; say {RoadKind.THREE_WAY}")
+    elsewhere = "only a roundabout has one; say road.kind: roundabout"
+    if road.diameter is not None and not round_about:
+        yield Fault(("road", "diameter"), elsewhere)
+    if ego.exit is not None and not round_about:
+        yield Fault(("ego", "exit"), elsewhere)
+    elif ego.exit is not None and not 1 <= ego.exit <= (arms or MOST_ARMS):
+        yield Fault(("ego", "exit"), f"{ego.exit} is none of its exits: it has {arms or MOST_ARMS} at most")

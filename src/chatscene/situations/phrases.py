@@ -147,7 +147,10 @@ ROADS: Mapping[RoadKind, str] = {
     RoadKind.JUNCTION: "at a junction",
     RoadKind.THREE_WAY: "at a three-way junction",
     RoadKind.FOUR_WAY: "at a four-way junction",
+    RoadKind.T_END: "on a road that ends at a junction",
+    RoadKind.FORK: "at a fork",
     RoadKind.ROUNDABOUT: "at a roundabout",
+    RoadKind.MINI_ROUNDABOUT: "at a mini roundabout",
     RoadKind.MOTORWAY: "on a motorway",
     RoadKind.RAMP: "on a ramp",
     RoadKind.PARKING_LOT: "in a car park",
@@ -194,6 +197,7 @@ FEATURES: Mapping[Feature, str] = {
     Feature.LANE_DROP: "a lane that ends",
     Feature.ON_RAMP: "an on-ramp",
     Feature.OFF_RAMP: "an off-ramp",
+    Feature.TURN_LANE: "a lane for turning",
     Feature.HILL: "a hill",
     Feature.SCHOOL: "a school beside it",
 }

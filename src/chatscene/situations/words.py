@@ -119,7 +119,7 @@ class _Telling(Named):
         own = tuple(self._deeds(EGO, self._me.does))
         waits = any(name != EGO for deed in self.situation.ego.does for name in named_by(deed))
         told = (
-            (self._vehicle(), self._ego()),
+            (self._vehicle(), self._ego(), self._exit()),
             self._road(),
             () if waits else own,
             self._others(),
@@ -159,8 +159,26 @@ class _Telling(Named):
             does = self._filled(_IS, self._my_form)
         return sentence(self._me.does, " ", does, " " if where else "", where) if does else Words()
 
+    def _exit(self) -> Words:
+        """By which exit the ego leaves a roundabout."""
+        number = self.situation.ego.exit
+        if number is None:
+            return Words()
+        takes = self._filled("[take/takes/taking] the ", self._my_form)
+        return sentence(self._me.does, " ", takes, Words(f"{ordinal(number - 1)} exit").tells("ego.exit"))
+
+    def _meeting(self, road: Road) -> Words:
+        """How many roads meet, how large a roundabout is, and where a side road lies."""
+        arms = Words() if road.arms is None else Words(f"{numeral(road.arms)} roads meet there").tells("road.arms")
+        across = self._amount(road.diameter, "road.diameter")
+        size = Words("it is ") + across + " across" if across else Words()
+        side = Words() if road.side_road is None else Words("there is a side road on ") + self._me.own + " "
+        side = side + Words(road.side_road).tells("road.side_road") if road.side_road is not None else side
+        return sentence(joined(filter(None, (arms, size, side)), last=", and "))
+
     def _road(self) -> Iterator[Words]:
         road = self.situation.road
+        yield self._meeting(road)
         control = _word("road.control", road.control, CONTROLS)
         light = _word("road.ego_light", road.ego_light, EGO_LIGHTS)
         whose = f", and {self._me.its} " if control else f"{self._me.own} traffic light "

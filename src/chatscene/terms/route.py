@@ -36,6 +36,15 @@ class Equipment(StrEnum):
     BUS_LANE = "bus-lane"  # beside the other lanes of its direction where it begins
 
 
+class Shape(StrEnum):
+    """Where the other two arms of a junction of three lie, as one comes to it."""
+
+    SIDE_LEFT = "side-left"  # straight on and left
+    SIDE_RIGHT = "side-right"  # straight on and right
+    STEM = "stem"  # left and right: one comes up the stem of a T
+    FORK = "fork"  # half left and half right
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class RouteQuery:
     """What a route must offer; a geometry snippet is such a query.
@@ -66,6 +75,10 @@ class RouteQuery:
             lanes of the other direction, or ``back`` in a lane of the other direction.
         setting: What lies about the road that it begins on; None for anything.
         divided: Whether no lane of the other direction may lie beside any of the ego's direction.
+        shape: What shape its junction of three arms has, from where it comes.
+        arms: How many its junction or roundabout has.
+        across: From where to where [m] the diameter of its roundabout may lie.
+        by_exit: By which exit it leaves its roundabout, counted from where it enters.
         has: What its roads have. Ways of a car park are found only for those who ask for bays.
     """
 
@@ -84,6 +97,10 @@ class RouteQuery:
     ends: Beside | None = None
     setting: Setting | None = None
     divided: bool = False
+    shape: Shape | None = None
+    arms: int | None = None
+    across: tuple[float, float] | None = None
+    by_exit: int | None = None
     has: tuple[Equipment, ...] = ()
 
     @property
@@ -99,6 +116,9 @@ class RouteQuery:
         parts += [None if self.approach is None else f"after-{self.approach:g}"]
         parts += [None if self.begins is None else f"out-of-{self.begins}"]
         parts += [None if self.ends is None else f"into-{self.ends}"]
+        parts += [self.shape, None if self.arms is None else f"{self.arms}-arms"]
+        parts += [None if self.across is None else f"{self.across[0]:g}-to-{self.across[1]:g}-m-across"]
+        parts += [None if self.by_exit is None else f"exit{self.by_exit}"]
         parts += [self.setting, "divided" if self.divided else None, *self.has]
         return "-".join(part for part in parts if part is not None)
 

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from chatscene.terms.route import Beside
+from chatscene.terms.route import Beside, Shape
 from chatscene.terms.scenario import Control, Maneuver, Place
-from chatscene.terms.vocabulary import EgoRoute, RightOfWay, RoadKind
+from chatscene.terms.vocabulary import EgoRoute, RightOfWay, RoadKind, Side
 
 MANEUVERS: dict[EgoRoute | None, Maneuver] = {
     None: Maneuver.STRAIGHT,
@@ -47,9 +47,14 @@ CONTROLS = {
 PLACES = {
     RoadKind.JUNCTION: Place.JUNCTION,
     RoadKind.THREE_WAY: Place.THREE_WAY,
+    RoadKind.T_END: Place.THREE_WAY,
+    RoadKind.FORK: Place.THREE_WAY,
     RoadKind.FOUR_WAY: Place.FOUR_WAY,
     RoadKind.CURVE: Place.CURVE,
     RoadKind.LEFT_CURVE: Place.LEFT_CURVE,
     RoadKind.RIGHT_CURVE: Place.RIGHT_CURVE,
     RoadKind.ROAD: Place.ROAD,
 }
+SHAPES: dict[RoadKind | None, Shape] = {RoadKind.T_END: Shape.STEM, RoadKind.FORK: Shape.FORK}
+SIDES = {Side.LEFT: Shape.SIDE_LEFT, Side.RIGHT: Shape.SIDE_RIGHT}
+"""The shape of a junction of three arms, by its kind or by where its side road is."""

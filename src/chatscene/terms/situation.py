@@ -209,12 +209,14 @@ class Ego(_Closed):
     Attributes:
         kind: What it is, of those that drive or ride; a car where that was not said.
         route: The way it goes.
+        exit: Which of a roundabout, from 1.
         speed: How fast it drives where nothing holds it.
         does: What it does before the danger, in order.
     """
 
     kind: UserKind | None = None
     route: EgoRoute | None = None
+    exit: int | None = None
     speed: Speed | None = None
     does: tuple[Deed, ...] = ()
 
@@ -235,10 +237,13 @@ class Road(_Closed):
 
     Attributes:
         kind: What kind of road.
+        arms: How many roads meet there.
+        side_road: On which side the third of these is.
+        diameter: Of its roundabout.
         setting: What lies about it.
         control: What rules the ego's way.
         ego_light: The traffic light that the ego has.
-        lanes: How many lanes go the ego's way.
+        lanes: How many lanes go the ego's way, or round.
         ego_lane: Which of them the ego is in, from the outermost, 1, or the innermost, -1.
         two_way: Whether a lane the other way lies beside them.
         speed_limit: The speed limit.
@@ -247,6 +252,9 @@ class Road(_Closed):
     """
 
     kind: RoadKind | None = None
+    arms: int | None = None
+    side_road: Side | None = None
+    diameter: Length | None = None
     setting: Setting | None = None
     control: RightOfWay | None = None
     ego_light: EgoLight | None = None

@@ -89,7 +89,7 @@ class EgoRoute(Word):
     OVERTAKE = ("overtake", "swings out, passes somebody who moves, and comes back")
     MERGE = ("merge", "comes onto a road from a ramp or from a lane that ends")
     EXIT = ("exit", "leaves a road by a ramp")
-    ROUNDABOUT = ("roundabout", "enters a roundabout, goes round in it and leaves it")
+    ROUNDABOUT = ("roundabout", "goes through a roundabout")
     REVERSE = ("reverse", "drives backwards")
     LEAVE_PARKING = ("leave-parking", "leaves a parking place")
     PARK = ("park", "drives into a parking place")
@@ -109,14 +109,24 @@ class RoadKind(Word):
     CURVE = ("curve", "a bend to a side not said, or just after it")
     LEFT_CURVE = ("left-curve", "a bend to the left")
     RIGHT_CURVE = ("right-curve", "a bend to the right")
-    JUNCTION = ("junction", "a junction with any number of arms")
-    THREE_WAY = ("three-way", "a junction with three arms")
-    FOUR_WAY = ("four-way", "a junction with four arms")
+    JUNCTION = ("junction", "a junction")
+    THREE_WAY = ("three-way", "one with three arms")
+    FOUR_WAY = ("four-way", "one with four arms")
+    T_END = ("t-end", "a T; the ego comes up its stem")
+    FORK = ("fork", "a fork")
     ROUNDABOUT = ("roundabout", "a roundabout")
+    MINI_ROUNDABOUT = ("mini-roundabout", "a mini roundabout")
     MOTORWAY = ("motorway", "a road like one, too: several lanes one way, no junctions")
     RAMP = ("ramp", "a road that leads onto a motorway or off it")
     PARKING_LOT = ("parking-lot", "ways between parking places")
     RAIL_CROSSING = ("rail-crossing", "where rails cross the road")
+
+
+ROUNDABOUTS = frozenset((RoadKind.ROUNDABOUT, RoadKind.MINI_ROUNDABOUT))
+ENDS_THERE = frozenset((RoadKind.T_END, RoadKind.FORK))
+"""Junctions at which one cannot go straight on."""
+ARMS_OF = {RoadKind.THREE_WAY: 3, RoadKind.T_END: 3, RoadKind.FORK: 3, RoadKind.FOUR_WAY: 4}
+"""How many arms a kind of junction has."""
 
 
 class Setting(Word):
@@ -157,7 +167,7 @@ class Feature(Word):
     PARKED_BOTH_SIDES = ("parked-both-sides", "the same along both kerbs")
     PARKING_PLACES = ("parking-places", "places to park in, beside the lane")
     CYCLE_LANE = ("cycle-lane", "a lane for bicycles")
-    BUS_LANE = ("bus-lane", "a lane for buses")
+    BUS_LANE = ("bus-lane", "a bus lane")
     TRAM_TRACK = ("tram-track", "rails in the road")
     MEDIAN = ("median", "grass or a barrier between the directions")
     SHOULDER = ("shoulder", "a hard shoulder")
@@ -167,6 +177,7 @@ class Feature(Word):
     LANE_DROP = ("lane-drop", "a lane that ends")
     ON_RAMP = ("on-ramp", "a ramp that joins the road")
     OFF_RAMP = ("off-ramp", "a ramp that leaves the road")
+    TURN_LANE = ("turn-lane", "a turn lane")
     HILL = ("hill", "a slope or a crest")
     SCHOOL = ("school", "a school, or a sign for one")
 

@@ -17,11 +17,12 @@ from chatscene.maps.kept import kept_with_network
 from chatscene.maps.lane_runs import centre_line
 from chatscene.maps.limits import limits_along
 from chatscene.maps.onward import route_through
+from chatscene.maps.ring_routes import left_at
 from chatscene.maps.routes import TO_LINE, find_routes, from_line
 from chatscene.terms.arrays import fixed
 from chatscene.terms.polyline import Polyline
 from chatscene.terms.profile import allowed_speeds
-from chatscene.terms.route import Beside, Equipment, Route, RouteQuery
+from chatscene.terms.route import Beside, Equipment, Route, RouteQuery, Shape
 from chatscene.terms.scenario import Control, Maneuver, Place, Site
 from chatscene.terms.vocabulary import Setting
 
@@ -75,7 +76,7 @@ class EgoRoute:
 def _exit_of(route: Route, network: Any) -> float:
     if route.junction is None:
         return route.event_at
-    through = {m.connectingLane.uid for m in network.elements[route.junction].maneuvers if m.connectingLane}
+    through = {m.connectingLane.uid for m in left_at(network, route).maneuvers if m.connectingLane}
     last = next(uid for uid in reversed(route.lane_ids) if uid in through)
     return route.line.project(*centre_line(network.elements[last]).points[-1])[0]
 
@@ -98,6 +99,10 @@ def routes_for(
     ends: str | None = None,
     setting: str | None = None,
     divided: bool = False,
+    shape: str | None = None,
+    arms: int | None = None,
+    across: tuple[float, float] | None = None,
+    by_exit: int | None = None,
     has: tuple[str, ...] = (),
 ) -> tuple[Route, ...]:
     """The routes of a map that a geometry asks for, best spread first.
@@ -120,6 +125,10 @@ def routes_for(
         ends: Where it ends beside its lane: a `Beside`, or None.
         setting: What lies about the road where it begins: a `Setting`, or None for anything.
         divided: Whether no oncoming lane may lie beside any lane of the ego's direction.
+        shape: A `Shape` of a junction of three arms, or None for any.
+        arms: How many arms there are, or None for any number.
+        across: Between what [m] the diameter of a roundabout lies, or None for any.
+        by_exit: The number of the exit of a roundabout, or None for any.
         has: What the roads have: words of `Equipment`.
 
     Raises:
@@ -141,6 +150,10 @@ def routes_for(
         ends=None if ends is None else Beside(ends),
         setting=None if setting is None else Setting(setting),
         divided=divided,
+        shape=None if shape is None else Shape(shape),
+        arms=arms,
+        across=across,
+        by_exit=by_exit,
         has=tuple(map(Equipment, has)),
     )
     found = _routes(network, Path(map_path).stem, query)

@@ -53,7 +53,7 @@ simulator _stock_simulator(globalParameters.simulator, globalParameters.map)
 
 def selectRoute(maneuver, place=None, control=None, lanes=1, opposite=None, beside=None, crossed=(), site=None,
         lane=None, approach=None, begins=None, ends=None, most=None, to_line=None, setting=None, divided=False,
-        has=(), only=None):
+        shape=None, arms=None, across=None, by_exit=None, has=(), only=None):
     """The ego's route: number `globalParameters.route` of those the map has for this geometry, or number `only` alone.
 
     With `param egoStart = 'at-line'` it begins right before the junction, if it leads through one: `to_line` [m] before
@@ -61,7 +61,7 @@ def selectRoute(maneuver, place=None, control=None, lanes=1, opposite=None, besi
     """
     return _choose_route(_load_roads(globalParameters.map), globalParameters.map, int(globalParameters.route), maneuver=maneuver,
         place=place, control=control, lanes=lanes, opposite=opposite, beside=beside, crossed=crossed, site=site, lane=lane,
-        approach=approach, begins=begins, ends=ends, most=most, setting=setting, divided=divided, has=has, only=only, at_line=globalParameters.egoStart == 'at-line',
+        approach=approach, begins=begins, ends=ends, most=most, setting=setting, divided=divided, shape=shape, arms=arms, across=across, by_exit=by_exit, has=has, only=only, at_line=globalParameters.egoStart == 'at-line',
         **({} if to_line is None else {'to_line': to_line}))
 
 def routeThrough(*points):
