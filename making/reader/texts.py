@@ -62,7 +62,7 @@ def example(
     Raises:
         ValueError: It tells more than is ever written.
     """
-    read = prepared(text)
+    read = prepared(text, begins or None)
     steps, copied, barred = list[Step](), list[int](), set[int]()
     number = grammar().number
     for step in steps_of(verdict, situation):

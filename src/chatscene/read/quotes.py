@@ -97,10 +97,10 @@ def unread_spans(situation: Situation, text: str) -> list[Span]:
 
 
 def _units_read(situation: Situation, text: str) -> tuple[Span, ...]:
-    """Where a text names numbered units that are in a situation: its ego, and the others if there are as many."""
+    """Where a text names the ego, and numbered units that are in a situation if there are as many."""
     named = ego_named(text)
     if not named.unit:
-        return ()
+        return named.spans
     all_there = len({which for which, _ in named.others}) <= len(situation.others)
     return (*named.spans, *(span for _, span in named.others if all_there))
 

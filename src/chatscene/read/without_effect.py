@@ -76,11 +76,20 @@ _SAID: tuple[tuple[str, re.Pattern[str]], ...] = (
         ),
     ),
     (
+        "said by the speed after it",
+        re.compile(
+            r"\b(?:driv(?:es?|ing|en)|drove|go(?:es|ing)?|went|travel(?:l?ed|l?ing|s)?|mov(?:es?|ed|ing)|do(?:es|ing)?|proceed(?:s|ed|ing)?"
+            r"|cruis(?:es?|ed|ing)|run(?:s|ning)?|rid(?:es?|ing|den)|rode)(?= (?:(?:forwards?|straight|along|at|with|about|around"
+            r"|some|roughly|approximately|constant|a|speed|of) )*\d[\d.,]*(?: ?(?:to|-) ?\d[\d.]*)? ?(?:km/?h|kph|kmh|mph|m/s)\b)",
+            re.IGNORECASE,
+        ),
+    ),
+    (
         "how it is told",
         re.compile(
             r"\b(?:stated|states|said|says|told|reported|reportedly|alleged\w*|according to|remember\w*|noticed|saw|seen|see|realis?zed?"
             r"|know|knew|think|thought|suppose\w*|imagine|scenario|situation|test|case|example|typical|usual|usually|want|wants|wanted"
-            r"|consider|assume|let's|happen(?:s|ed|ing)?|sort of|kind of|some|any|every|each|by then|so|very|really|quite|rather|right then|all of a sudden)\b",
+            r"|consider|assume|given|let's|happen(?:s|ed|ing)?|sort of|kind of|some|any|every|each|by then|so|very|really|quite|rather|right then|all of a sudden)\b",
             re.IGNORECASE,
         ),
     ),

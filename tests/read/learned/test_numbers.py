@@ -59,3 +59,26 @@ def test_a_bound_is_the_same_as_no_other_amount() -> None:
 
 def test_a_range_that_goes_down_is_none() -> None:
     assert not any(one.amount == Length.of("5 to 10 m") for one in amounts_in("10 to 5 m"))
+
+
+@pytest.mark.parametrize(
+    ("text", "amount"),
+    [
+        ("A truck ahead is 20 km/h slower.", "20 km/h less than the ego"),
+        ("A car cuts in 10 to 15 km/h faster and brakes.", "10 to 15 km/h more than the ego"),
+        ("It drives 10 mph below our speed.", "10 mph less than the ego"),
+        ("It enters 20 km/h below ego, then brakes.", "20 km/h less than the ego"),
+    ],
+)
+def test_a_speed_that_is_so_much_faster_or_slower_is_never_a_speed_by_itself(text: str, amount: str) -> None:
+    (one,) = amounts_in(text)
+    assert same(one.amount, Speed.of(amount))
+
+
+def test_a_speed_that_is_so_much_faster_than_another_is_no_amount_of_ours() -> None:
+    assert not amounts_in("We are 20 km/h faster than the truck.")
+
+
+def test_what_an_edit_makes_faster_is_so_than_it_was() -> None:
+    text = "A car is ahead. Change: 10 km/h faster"
+    assert [str(one.amount) for one in amounts_in(text, text.index("Change"))] == ["10 km/h"]

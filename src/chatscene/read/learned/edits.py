@@ -102,8 +102,9 @@ def likely_changes(situation: Situation, edit: str) -> tuple[Change, ...]:
             read it takes away more than there is.
     """
     told = _told(situation)
-    telling, whole = prepared(told), prepared(_with_edit(told, edit))
+    telling = prepared(told)
     begins = len(telling.text) + len(CHANGE)
+    whole = prepared(_with_edit(told, edit), begins)
     alone, both = (ways_of(written_of(read, PACKAGED)) for read in (telling, whole))
     if min(sum(way.probability for way in ways) for ways in (alone, both)) < EVEN:
         raise EditRefused("this situation is too large to edit in words; change its file, or a fact with --set")

@@ -54,15 +54,20 @@ def _either(words: Iterable[str]) -> str:
 
 _NUMBER = rf"(?:(?<![\d.,\w])\d+(?:,\d{{3}}(?!\d))*(?:[.,]\d+)?|(?<!\w)(?:{_either(FIGURES)})(?!\w))"
 _UNIT = _either(UNITS)
+_OURS = r"(?:us|we|ours?|me|mine|ego|i|you|VUT|AV|SV|test\s+vehicle|subject)"
 _ALL = re.compile(
     rf"""(?:(?P<bound>(?<!\w)(?:{_either(_BOUNDS["<="] + _BOUNDS[">="])}))\s*(?:about\s+|some\s+)?)?
     (?P<low>{_NUMBER})
     (?:\s*(?P<first>{_UNIT})?\s*(?:to|and|[-\u2013\u2014]|or)\s*(?P<high>{_NUMBER}))?
     [\s-]*(?P<unit>{_UNIT})(?!\w)
-    (?:\s+(?P<than>more|less|faster|slower|quicker)\s+than\s+(?:the\s+)?(?P<whom>us|we|ours?|me|mine|ego|i|you|VUT|AV|SV|test\s+vehicle|subject))?
+    (?:\s+(?P<than>(?:more|less|faster|slower|quicker)\s+than\s+(?:the\s+)?{_OURS}(?!\w)
+        |(?:above|below)\s+(?:(?:our|my|your|the\s+ego's)(?:\s+own)?\s+speed|(?:the\s+)?(?:{_OURS})(?![\w']))
+        |(?:faster|slower|quicker)(?!\w))
+        (?P<another>\s+than\s)?)?
     (?:,?\s+(?P<after>{_either(_AFTER["<="] + _AFTER[">="])})(?!\w))?""",
     re.VERBOSE | re.IGNORECASE,
 )
+_LESS = re.compile(r"(?i)less|slower|below")
 _BARE = re.compile(rf"{_NUMBER}(?![\w.,]*\d)", re.IGNORECASE)
 _SLOWEST, _FASTEST = 5.0, 250.0  # of a number without a unit that is taken for a speed
 _ODD = str.maketrans("\u0131\u0130\u017f", "iis")  # letters that patterns which ignore case take for these
@@ -97,11 +102,19 @@ MOST_FOUND = 24
 """Amounts of one text; those after are not read."""
 
 
-def amounts_in(text: str) -> tuple[Found, ...]:
-    """The amounts that the words of a text may mean, in their order; of a bound or a range, its number as well."""
+def amounts_in(text: str, edit: int | None = None) -> tuple[Found, ...]:
+    """The amounts that the words of a text may mean, in their order; of a bound or a range, its number as well.
+
+    A speed that is so much faster or slower, and not than whom, is so than the ego's, and never a speed by itself.
+
+    Args:
+        text: The text.
+        edit: Where an edit of what was told begins; what is faster by that, is so than it was.
+    """
     text = text.translate(_ODD)
     matches = tuple(_ALL.finditer(text))
-    found = [one for match in matches for one in _meant(match)]
+    told = len(text) if edit is None else edit
+    found = [one for match in matches for one in _compared(match, whom=match.start() >= told)]
     found += [Found(match.start(), match.end(), WALKING_PACE) for match in _WALKING.finditer(text)]
     taken = [(match.start(), match.end()) for match in matches]
     for match in _BARE.finditer(text):
@@ -124,6 +137,22 @@ def _bare(match: re.Match[str]) -> Iterator[Found]:
             yield Found(match.start(), match.end(), Speed(speed, speed), form)
 
 
+def _compared(match: re.Match[str], *, whom: bool) -> Iterator[Found]:
+    """What an amount may mean that is no speed by itself if it is faster, slower, above or below another.
+
+    Args:
+        match: The amount.
+        whom: Whether it is so only where it is said than whom.
+    """
+    than = match["than"]
+    if than is None or _unit(match["unit"])[0] is not Speed or (whom and " " not in than):
+        yield from _meant(match)
+    elif match["another"] is None:
+        low, high = (_number(match[end] or match["low"]) * _unit(match["unit"])[1] for end in ("low", "high"))
+        ends = (-high, -low) if _LESS.match(than) else (low, high)
+        yield from _made(Speed, *ends, match.start("low"), match.end("than"), Form.THAN_EGO)
+
+
 def _meant(match: re.Match[str]) -> Iterator[Found]:
     kind, scale = _unit(match["unit"])
     if match["first"] is not None and _unit(match["first"])[0] is not kind:  # of two quantities, no range
@@ -136,10 +165,6 @@ def _meant(match: re.Match[str]) -> Iterator[Found]:
     start, end, low = match.start("low"), match.end("unit"), _number(match["low"]) * scale
     high = low if match["high"] is None else _number(match["high"]) * scale
     yield from _made(kind, low, high, start, end, Form.PLAIN if match["high"] is None else Form.RANGE)
-    if match["than"] is not None and kind is Speed:
-        less = match["than"].lower() in ("less", "slower")
-        ends = (-high, -low) if less else (low, high)
-        yield from _made(kind, *ends, start, match.end("whom"), Form.THAN_EGO)
     if match["high"] is not None:
         return
     for group, table in (("bound", _BOUNDS), ("after", _AFTER)):

@@ -30,10 +30,15 @@ class Read:
     spans: tuple[tuple[int, int], ...]
 
 
-def prepared(text: str) -> Read:
-    """A text as pieces; what has no room is cut off, with its amounts."""
+def prepared(text: str, edit: int | None = None) -> Read:
+    """A text as pieces; what has no room is cut off, with its amounts.
+
+    Args:
+        text: The text.
+        edit: Where an edit of what was told begins, if it is one.
+    """
     text = text.encode("utf-8", "replace").decode("utf-8")
-    amounts = amounts_in(text)
+    amounts = amounts_in(text, edit)
     cuts = sorted({0, len(text), *(end for one in amounts for end in (one.low, one.high)), *_breaks(text)})
     begin, *_, end = tokenize("", LONGEST)
     pieces, where, at = [begin], list[tuple[int, int]](), dict[int, int]()
