@@ -76,15 +76,44 @@ def test_a_bus_stop_is_a_shelter_once_and_parked_cars_are_a_row() -> None:
     assert made(hidden, shelter, road={"has": ["bus-stop"]}).program.source.count("new BusStop at") == 1
 
 
-@pytest.mark.parametrize(("feature", "cones"), [("school", 0), ("roadworks", 8)])
-def test_a_sign_stands_before_who_is_met_and_cones_where_nobody_comes_over_the_edge(feature: str, cones: int) -> None:
+@pytest.mark.parametrize(("feature", "cones"), [("school", 0), ("roadworks", 10), ("closed-lane", 10)])
+def test_a_sign_stands_before_who_is_met_and_cones_at_roadworks(feature: str, cones: int) -> None:
     built = made(CROSSES, road={"has": [feature]})
     assert built.left_out == ()
     assert any(line.startswith(f"{feature}: a sign") for line in built.assumed)
     lines = [line for line in built.program.source.splitlines() if "with role 'background'" in line]
     assert sum("new WarningSign" in line for line in lines) == 1
     assert sum("new Cone" in line for line in lines) == cones
-    assert all('"left"' in line for line in lines if "new Cone" in line)
+
+
+def _cones_of(built: Built) -> list[str]:
+    lines = (one for one in built.program.source.splitlines() if "new Cone" in one)
+    return [one.partition(" at ")[2].partition(", facing")[0] for one in lines]
+
+
+def test_cones_of_roadworks_narrow_the_ego_s_side_beyond_who_comes_from_there() -> None:
+    beyond = _cones_of(made(CROSSES, road={"has": ["roadworks"]}))
+    assert all('"right"' in one for one in beyond)
+    assert [one.rpartition(" ")[2] for one in (beyond[0], beyond[4], beyond[-1])] == ["2.5)", "0.3)", "0.3)"]
+    assert " + 5, " in beyond[0]
+    from_left = made(CROSSES | {"starts": {"where": "roadside", "side": "left"}}, road={"has": ["roadworks"]})
+    assert " - 15, " in _cones_of(from_left)[0]
+
+
+def test_an_ego_that_stands_at_roadworks_stands_in_the_lane_that_they_close_and_is_passed_beside_it() -> None:
+    passes = {"id": "A", "kind": "truck", "starts": {"where": "behind"}, "does": [{"act": "overtake", "to": "right"}]}
+    built = made(passes, ego={"kind": "truck", "does": [{"act": "stand"}]}, road={"has": ["roadworks"]})
+    assert all(one.startswith("pointOn(egoRoute, ") and one.endswith(", -1.55)") for one in _cones_of(built))
+    assert "DrivePath(ownLane(egoRoute)" not in built.program.source
+
+
+def test_a_lane_that_is_closed_has_a_taper_over_it_beyond_who_is_met() -> None:
+    built = made(PASSES, ego={"speed": "50 km/h"}, road={"has": ["closed-lane"], "lanes": 2})
+    aside = [float(one.rpartition(", ")[2].rstrip(")")) for one in _cones_of(built)]
+    assert aside[0] == -1.55
+    assert aside == sorted(aside)
+    assert aside[4:] == [1.55] * 6
+    assert "DrivePath(ownLane(egoRoute)" not in built.program.source
 
 
 STOP = {"has": ["bus-stop"]}

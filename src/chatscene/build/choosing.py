@@ -27,6 +27,7 @@ from chatscene.build.deeds import (
     STEPS_BACK,
     Steps,
     gets_by,
+    goes_on_beside,
     leaving_road,
     lets_by,
     near_to_pass,
@@ -46,7 +47,14 @@ from chatscene.build.local import check_round, way_to_turn_round
 from chatscene.build.naming import name_of
 from chatscene.build.over_lanes import lane_after
 from chatscene.build.paces import Pace
-from chatscene.build.place import NEXT_LANE, ROUNDABOUT_PLACES, at_junction, leaves_by_ramp, rides_at_edge
+from chatscene.build.place import (
+    NEXT_LANE,
+    ROUNDABOUT_PLACES,
+    at_junction,
+    leaves_by_ramp,
+    rides_at_edge,
+    stands_in_closed_lane,
+)
 from chatscene.build.rates import at_a_rate
 from chatscene.build.relations import ALONG as ALONG_EGO
 from chatscene.build.sideways import takes_long
@@ -56,7 +64,7 @@ from chatscene.errors import NothingBuilds
 from chatscene.maps.ways_off import turns_at
 from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.situation import EGO, Deed
-from chatscene.terms.vocabulary import ASIDE, COMES_IN, GOES_ON, Act, Heads, Role, Where, acts_of
+from chatscene.terms.vocabulary import ASIDE, COMES_IN, GOES_ON, Act, Feature, Heads, Role, Where, acts_of
 from chatscene.world.places import wayOff
 
 if TYPE_CHECKING:
@@ -183,10 +191,13 @@ def _overtaking(actor: Actor, deed: Deed) -> Iterator[tuple[Act, Steps]]:
         at_edge = rides_at_edge(actor.one, actor.ledger.situation.ego.route)
         others = (one for one in actor.ledger.situation.others if one.id != actor.one.id)
         free = all(one.starts.where is not Where.AHEAD for one in others)
+        free = free and Feature.CLOSED_LANE not in actor.ledger.situation.road.has
         yield Act.OVERTAKE, gets_by(comes_back=free and not at_edge)
     elif not actor.stand.rolls:  # behind whom it passes, which may be slow by then
         clear = 0.5 * (actor.ego_limits.width + actor.limits.width) + CLEAR
-        yield Act.OVERTAKE, pulls_out(min(clear, OUT))
+        out = pulls_out(min(clear, OUT))
+        stays = done_to(deed) == EGO and stands_in_closed_lane(actor.ledger.situation)
+        yield Act.OVERTAKE, goes_on_beside(out) if stays else out
     if actor.stand.rolls and done_to(deed) == EGO:  # of which it comes by anyway
         yield Act.OVERTAKE, ALONG[Act.GO_ALONG]
 

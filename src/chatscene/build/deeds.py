@@ -349,6 +349,12 @@ def pulls_out(clear: float) -> Steps:
     return replace(row, does=(out, *row.does))
 
 
+def goes_on_beside(steps: Steps) -> Steps:
+    """The same of who passes somebody in a lane that is closed: it goes on beside that, and does not come back."""
+    passes = steps.does[:2]
+    return replace(steps, does=passes, last=(*passes, "DrivePath({beside}, $FAST)"), way="{beside}")
+
+
 def seen_to_pass(steps: Steps) -> Steps:
     """The same; it comes up first, so that the phase in which it passes begins when it is beside whom it passes."""
     comes = (

@@ -260,6 +260,12 @@ def at_signed_driveway(situation: Situation) -> bool:
     return situation.road.control is RightOfWay.PRIORITY and situation.road.kind is None and Where.DRIVEWAY in places
 
 
+def stands_in_closed_lane(situation: Situation) -> bool:
+    """Whether the ego stands, and nothing else, where roadworks close its lane."""
+    stands = [deed.act for deed in situation.ego.does] == [Act.STAND]
+    return stands and bool({Feature.ROADWORKS, Feature.CLOSED_LANE} & {*situation.road.has})
+
+
 def beside_lane(situation: Situation) -> bool:
     """Whether the ego's way begins or ends beside its lane."""
     return situation.ego.route in BEGINS or situation.ego.route in ENDS or backs(situation)

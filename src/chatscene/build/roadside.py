@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from chatscene.build.asked import FROM_A_STAND, PARKED_APART, stands_first
+from chatscene.build.closures import cones_of
 from chatscene.build.halting import HARD, SERVES, bus_stop_of, of_itself
 from chatscene.build.hiding import BESIDE
 from chatscene.build.ledger import Ledger
@@ -28,8 +29,6 @@ ROW = tuple(-26.5 + 6.5 * n for n in range(9))  # [m] beyond who is met, on a si
 BEFORE_JUNCTION = 12.0  # [m]
 SIGN_BEFORE = 30.0  # [m] before who is met
 SIGN_ASIDE = 2.0  # [m] outside the lanes
-CONES = tuple(-12.0 + 6.0 * n for n in range(8))  # [m] beyond who is met
-CONES_ASIDE = 0.3  # [m] outside the lanes: clear of whoever keeps to the middle of the lane
 AT_KERB = 1.3  # [m] outside the lanes
 IN_BAY = 2.6  # [m] outside the lanes is the middle of a car in a bay
 
@@ -145,20 +144,28 @@ def _taken(everybody: Sequence[Actor]) -> set[Side]:
     return {actor.one.starts.side or Side.RIGHT for actor in everybody if actor.one.starts.where in BESIDE}
 
 
-_TOLD = {Feature.SCHOOL: "a sign stands beside the road", Feature.ROADWORKS: "a sign and cones stand beside the road"}
+_TOLD = {
+    Feature.SCHOOL: "a sign stands beside the road",
+    Feature.ROADWORKS: "a sign and cones stand beside the road",
+    Feature.CLOSED_LANE: "a sign and cones close the ego's lane",
+}
 """What stands there of something that has no place of its own on a map."""
 
 
 def _signed(ledger: Ledger, feature: Feature, everybody: Sequence[Actor]) -> Iterator[str]:
-    """The sign of a school or of roadworks before who is met, and of these cones where nobody comes over the edge."""
+    """The sign of a school or of roadworks before who is met, and the cones of roadworks."""
     met, where = everybody[0], f"{feature}: {_TOLD[feature]}"
     yield from _things(f"{feature}-sign", "WarningSign", met, (-SIGN_BEFORE,), SIGN_ASIDE, Side.RIGHT)
-    taken = _taken(everybody)
-    free = next((side for side in (Side.RIGHT, Side.LEFT) if side not in taken), None)
     cones = any(actor.one.kind is UserKind.CONE for actor in everybody)
-    if feature is Feature.ROADWORKS and free is not None and not cones:
-        yield from _things(f"{feature}", "Cone", met, CONES, CONES_ASIDE, free)
+    named = Feature.CLOSED_LANE if Feature.CLOSED_LANE in ledger.situation.road.has else Feature.ROADWORKS
+    if feature is named and not cones:
+        yield from cones_of(ledger.situation, everybody, _level_of(met))
     ledger.assume(where)
+
+
+def _level_of(met: Actor) -> str:
+    """Where along the ego's way who is met is, as a text of Scenic."""
+    return f"{met.numbers.middle('Y'):.4g}" if met.stand.anywhere else "egoRoute.eventAt"
 
 
 def _things(
@@ -172,7 +179,7 @@ def _things(
 ) -> Iterator[str]:
     """Things of a class along the edge of the road, so far [m] beyond who is met, or a place, and outside the lanes."""
     side, route = at_side or met.one.starts.side or Side.RIGHT, met.found.route
-    level = by or (f"{met.numbers.middle('Y'):.4g}" if met.stand.anywhere else "egoRoute.eventAt")
+    level = by or _level_of(met)
     if route.route.junction is not None and not by:  # beyond which there is another road
         level = f"egoRoute.eventAt - {BEFORE_JUNCTION + ahead[-1]:g}"
     for n, further in enumerate(ahead):

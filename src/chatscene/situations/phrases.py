@@ -194,6 +194,7 @@ FEATURES: Mapping[Feature, str] = {
     Feature.DRIVEWAY: "a driveway",
     Feature.NARROW: "no room for two cars to pass each other",
     Feature.ROADWORKS: "roadworks",
+    Feature.CLOSED_LANE: "cones that close our lane",
     Feature.LANE_DROP: "a lane that ends",
     Feature.ON_RAMP: "an on-ramp",
     Feature.OFF_RAMP: "an off-ramp",

@@ -174,6 +174,7 @@ class Feature(Word):
     DRIVEWAY = ("driveway", "a driveway, an alley, a gate or a track off the road")
     NARROW = ("narrow", "no room for two cars abreast")
     ROADWORKS = ("roadworks", "a work zone that narrows the road")
+    CLOSED_LANE = ("closed-lane", "cones that close the ego's lane ahead, or the lane in which it stands")
     LANE_DROP = ("lane-drop", "a lane that ends")
     ON_RAMP = ("on-ramp", "a ramp that joins the road")
     OFF_RAMP = ("off-ramp", "a ramp that leaves the road")
