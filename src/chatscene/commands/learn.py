@@ -70,7 +70,7 @@ _SELDOM = 0.1  # of its drives: who crashes or leaves the road more often has no
     default=5_000,
     show_default=True,
     type=click.IntRange(1, 10**9),
-    help="Steps between two evaluations.",
+    help="Steps between two evaluations; of a shorter training, all.",
 )
 @SEED
 @MAP
@@ -85,6 +85,9 @@ def train(steps: int, round_: int, out: Path, **options: Any) -> None:
     chatscene train --speed road --out egos/at-speed
     chatscene evaluate runs/cyclist --ego egos/sac/policy.npz
     """
+    if steps < round_:
+        say(f"evaluated once, after all {steps} steps", err=True)
+        round_ = steps
     if steps % round_:
         say(f"{-(-steps // round_) * round_} steps instead of {steps}: whole rounds of {round_} (--round)", err=True)
     trained = chatscene.train(out, steps=steps, round=round_, progress=progress(), **options)

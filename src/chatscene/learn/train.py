@@ -113,7 +113,9 @@ class TrainSettings:
         if self.algorithm not in ALGORITHMS:
             raise SettingsError(no_such("algorithm", self.algorithm, ALGORITHMS))
         if not 0 < self.round <= self.steps:
-            raise SettingsError(f"a round of {self.round} steps does not fit a training of {self.steps}")
+            raise SettingsError(
+                f"a round of {self.round} steps is longer than a training of {self.steps}; give a shorter one"
+            )
         if self.algorithm == "ppo" and self.round % ALGORITHMS["ppo"]["n_steps"]:
             raise SettingsError(f"PPO learns every {ALGORITHMS['ppo']['n_steps']} steps; make --round a multiple of it")
 
