@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from chatscene.program.deeds import STANDING, Act, runs
 from chatscene.program.watching import Seen
-from chatscene.terms.arrays import Array, changes
+from chatscene.terms.arrays import Array, changes, slopes
 from chatscene.terms.seeing import loss_of
 from chatscene.terms.vocabulary import GOES_ON, Heads, Tempo, acts_of, by_act
 from chatscene.terms.vocabulary import Act as Said
@@ -95,7 +95,7 @@ def ends_aside(seen: Seen, once: Act) -> int:
 def _run_aside(seen: Seen, once: Act) -> tuple[int, int]:
     """The first and the last step of the way to a side of which a deed is a part."""
     drift, at = seen.aside, once.done if once.done is not None else len(seen.aside) - 1
-    rate = np.gradient(drift) / seen.dt
+    rate = slopes(drift) / seen.dt
     most = once.began + int(np.argmax(np.abs(rate[once.began : at + 1])))
     sign = np.sign(rate[most]) or 1.0
     first = last = most
@@ -132,7 +132,7 @@ def _is_ahead_by(seen: Seen, once: Act) -> Array:
     room = np.abs(seen.lead) - 0.5 * (seen.ego.length + seen.track.length)
     ahead = seen.lead > 0.0
     done = once.done or 0
-    back = np.flatnonzero(ahead[done:] & (np.gradient(np.abs(seen.offset))[done:] < -COMES_BACK * seen.dt))
+    back = np.flatnonzero(ahead[done:] & (slopes(np.abs(seen.offset))[done:] < -COMES_BACK * seen.dt))
     return room[done + int(back[0]) :][:KEPT] if back.size else room[done:]
 
 
@@ -147,7 +147,7 @@ def _keeps_behind(seen: Seen, once: Act) -> Array:
 
 
 def _swings_for(seen: Seen, once: Act) -> Array:
-    rate = np.abs(np.gradient(seen.drift)) / seen.dt
+    rate = np.abs(slopes(seen.drift)) / seen.dt
     swings = np.flatnonzero(rate[max(once.began - KEPT, 0) :] > SWINGS)
     if not swings.size:
         return np.zeros(1)

@@ -30,7 +30,7 @@ from chatscene.program.lateral import LANE
 from chatscene.program.watching import ALONG, Seen
 from chatscene.terms.actors import BY_CLASS, AdversaryKind, Manner, manner_of
 from chatscene.terms.acts import Action
-from chatscene.terms.arrays import Array, changes, changes_at
+from chatscene.terms.arrays import Array, changes, changes_at, slopes, unwrapped
 from chatscene.terms.seeing import gain_of, loss_of
 from chatscene.terms.vocabulary import Act as Said
 from chatscene.terms.vocabulary import Heads, Tempo, by_act
@@ -251,7 +251,7 @@ def _is_ahead(s: Seen, once: Act) -> bool:
 def _from_way(s: Seen) -> Array:
     """(T,) [rad], heading against the ego's way where somebody is, without jumps."""
     way = s.line.headings_at(s.at.clip(0.0, s.line.length))
-    return np.unwrap(s.track.heading - way)
+    return unwrapped(s.track.heading - way)
 
 
 def turned_by(s: Seen) -> Array:
@@ -367,7 +367,7 @@ def _leaves_road(s: Seen) -> Iterator[Act]:
 
 def _spins(s: Seen) -> Iterator[Act]:
     """It slides on and turns away from where it goes."""
-    dx, dy = np.gradient(s.track.x), np.gradient(s.track.y)
+    dx, dy = slopes(s.track.x), slopes(s.track.y)
     turned = np.abs(np.remainder(s.track.heading - np.arctan2(dy, dx) + np.pi, 2 * np.pi) - np.pi)
     sliding = np.flatnonzero((turned > SPUN) & (np.abs(s.track.speed) > SLID) & (s.track.speed > 0.0))
     if sliding.size:

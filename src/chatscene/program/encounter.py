@@ -18,11 +18,11 @@ from chatscene.program.contacts import is_with
 from chatscene.program.deeds import LOSING, MOVING, STANDING
 from chatscene.program.doing import GOES_WITH
 from chatscene.program.finding import Finding, Late
-from chatscene.program.gone_by import past
+from chatscene.program.gone_by import behind, past
 from chatscene.program.meaning import TOGETHER
 from chatscene.simulate.boxes import Boxes, gaps, near_any, overlaps, times_to_collision
 from chatscene.simulate.native.lines import follow
-from chatscene.terms.arrays import Array, paces
+from chatscene.terms.arrays import Array, paces, unwrapped
 from chatscene.terms.episode import Episode, Track
 from chatscene.terms.polyline import Polyline
 from chatscene.terms.route import Route
@@ -142,8 +142,8 @@ def _late(meets: Meeting, ego: Track, track: Track, since: int) -> Late | None:
     if math.isfinite(meets.between):
         seconds = meets.between if meets.ego_first else -meets.between
         return Late(seconds=seconds, metres=seconds * fast)
-    behind = float(past(ego, track)[since])
-    return Late(seconds=behind / fast, metres=behind) if behind > 0.0 else None
+    far = float(past(ego, track)[since])
+    return Late(seconds=far / fast, metres=far) if far > 0.0 else None
 
 
 def _between(meets: Meeting) -> float:
@@ -160,7 +160,7 @@ def _not_steered(ego: Track, line: Polyline) -> Track | None:
     if aside[0] > ASIDE or aside.max() <= ASIDE:
         return None
     x, y = line.points_at(along).T
-    return replace(ego, x=x, y=y, heading=np.unwrap(line.headings_at(along)))
+    return replace(ego, x=x, y=y, heading=unwrapped(line.headings_at(along)))
 
 
 def _must_meet(
@@ -259,8 +259,8 @@ def meeting(ego: Track, way: Way, other: Track, dt: float, since: int) -> Meetin
 
 def _follows(ego: Track, other: Track) -> Flags:
     """(T,) Whether somebody is behind the ego and goes its way: it is there later, and meets nobody there."""
-    last = np.arange(len(other.x)).clip(max=len(ego.x) - 1)
-    return (past(ego, other) > 0.0) & (np.cos(other.heading - ego.heading[last]) > GOES_WITH)
+    far, along = behind(ego, other)
+    return (far > 0.0) & (along > GOES_WITH)
 
 
 def _within(way: Way, other: Track, since: int, far: float) -> Flags:
@@ -306,8 +306,8 @@ def way_of(ego: Track, line: Polyline) -> Way:
     there, aside, _ = line.project(float(ego.x[-1]), float(ego.y[-1]))
     rest = np.arange(there + 2.0, line.length, 2.0) if abs(aside) < 3.0 else np.empty(0)
     points, turned = line.points_at(rest), line.headings_at(rest)
-    back, behind = np.arange(-BACK, 0.0, 1.0), float(heading[0])
-    x = np.concatenate((x[0] + back * math.cos(behind), x, points[:, 0]))
-    y = np.concatenate((y[0] + back * math.sin(behind), y, points[:, 1]))
-    heading = np.unwrap(np.concatenate((np.full(len(back), behind), heading, turned)))
+    back, first = np.arange(-BACK, 0.0, 1.0), float(heading[0])
+    x = np.concatenate((x[0] + back * math.cos(first), x, points[:, 0]))
+    y = np.concatenate((y[0] + back * math.sin(first), y, points[:, 1]))
+    heading = unwrapped(np.concatenate((np.full(len(back), first), heading, turned)))
     return np.concatenate(([0.0], np.cumsum(paces(x, y)))) - BACK, x, y, heading

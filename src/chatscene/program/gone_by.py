@@ -14,6 +14,7 @@ import numpy as np
 from chatscene.program.deeds import Act
 from chatscene.program.finding import Finding, Late
 from chatscene.program.watching import Seen
+from chatscene.simulate.boxes import Boxes
 from chatscene.terms.arrays import Array
 from chatscene.terms.episode import Track
 from chatscene.terms.situation import EGO, Deed, Other
@@ -93,9 +94,18 @@ def past(ego: Track, other: Track) -> Array:
 
     Less than 0 until the whole body is behind the ego. At the end it is as the ego is then.
     """
-    last = np.arange(len(other.x)).clip(max=len(ego.x) - 1)
-    cos, sin = np.cos(ego.heading)[last], np.sin(ego.heading)[last]
-    ahead = (other.x - ego.x[last]) * cos + (other.y - ego.y[last]) * sin
-    turned = other.heading - ego.heading[last]
-    reach = other.length * np.abs(np.cos(turned)) + other.width * np.abs(np.sin(turned))
-    return np.asarray(-ahead - 0.5 * (ego.length + reach))
+    return behind(ego, other)[0]
+
+
+def behind(ego: Track, other: Track) -> tuple[Array, Array]:
+    """The same, and (T,) the cosine of how far somebody is turned away from the ego."""
+    boxes = Boxes.of(ego)
+    x, y, heading, cos, sin = ego.x, ego.y, ego.heading, boxes.cos, boxes.sin
+    if len(other.x) != len(ego.x):
+        last = np.arange(len(other.x)).clip(max=len(ego.x) - 1)
+        x, y, heading, cos, sin = (column[last] for column in (x, y, heading, cos, sin))
+    ahead = (other.x - x) * cos + (other.y - y) * sin
+    turned = other.heading - heading
+    along = np.cos(turned)
+    reach = other.length * np.abs(along) + other.width * np.abs(np.sin(turned))
+    return np.asarray(-ahead - 0.5 * (ego.length + reach)), along

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any, TypeVar
 
 import numpy as np
@@ -31,3 +32,20 @@ def changes_at(values: Array) -> Array:
 def paces(x: Array, y: Array) -> Array:
     """(T - 1,) How far [m] each place is from the one before."""
     return np.hypot(changes(x), changes(y))
+
+
+def unwrapped(angles: Array) -> Array:
+    """(T,) Angles [rad] without jumps: `np.unwrap`, which is asked only where there is one."""
+    if not (np.abs(changes(angles)) < math.pi).all():
+        return np.unwrap(angles)
+    same = angles + 0.0  # as it adds no turns
+    same[:1] = angles[:1]
+    return same
+
+
+def slopes(values: Array) -> Array:
+    """(T,) By how much each changes a row, two at least: `np.gradient`, whose call takes longer than its work."""
+    found = np.empty_like(values)
+    found[1:-1] = (values[2:] - values[:-2]) / 2.0
+    found[0], found[-1] = values[1] - values[0], values[-1] - values[-2]
+    return found
