@@ -34,7 +34,7 @@ from chatscene.build.revealed import revealed
 from chatscene.build.roadside import beside_road
 from chatscene.build.run_up import run_up
 from chatscene.build.screening import from_its_lane
-from chatscene.build.standing_before import in_queue
+from chatscene.build.standing_before import beyond_another, in_queue, parts_backed_into
 from chatscene.build.towards import at_distance, in_one_row, in_rows, passes, room_kept, screens
 from chatscene.build.written import Written
 from chatscene.errors import MapError, NoSuchPlace, NoSuchRoad, NotBuilt, NothingBuilds, RoadTooShort
@@ -54,6 +54,7 @@ from chatscene.terms.vocabulary import Act, Role, Where
 
 _SAME = {Where.DRIVEWAY: "roadside", Where.IN_ROUNDABOUT: "roundabout-entry"}
 """Where those stand in one row who are said to be in two places."""
+BEYOND = "beyond"  # where who stands in the row of those who are ahead, and yet by itself
 NOBODY = "others: nobody meets the ego; give one the role adversary"
 """Why a situation is refused in which nobody does."""
 IN_TIME = 0.75  # of the time that somebody needs, the least that the ego leaves it
@@ -227,7 +228,7 @@ def _built(said: Ledger, usual: float, name: str) -> Built:
     contact = situation.contact
     if contact is not None and (not contact.happens or contact.whom in {one.id for one in situation.adversaries}):
         ledger.take("contact.whom")  # a drive in which the ego touches nobody shows that it does not touch that one
-    ledger.take(*parts_in_line(situation))
+    ledger.take(*parts_in_line(situation), *parts_backed_into(situation))
     if contact is not None and not contact.happens:  # drives without a contact are those that are kept
         ledger.take("contact.happens")
     declared = [f"param {one.name} = Range({one.low}, {one.high})" for one in numbers]
@@ -342,7 +343,8 @@ def _everybody(ledger: Ledger, found: Found, ego: BuiltEgo) -> list[tuple[Actor,
         stands = stands_first(one) and one.starts.where not in OFF_ROAD
         in_row = next((other for other in others if passes(one, other) and in_one_row(one, other)), one)
         where = in_row.starts.where
-        place = (_SAME.get(where, str(where)), str(one.starts.side), stands)
+        named = BEYOND if beyond_another(situation, one) else _SAME.get(where, str(where))
+        place = (named, str(one.starts.side), stands)
         shares = hidden is None and one.starts.distance is None  # else it stands where it was said to
         first, room = rows.get(place, (None, 0.0)) if shares else (None, 0.0)
         apart = one.kind.row.body.row.limits.length + between(one, ego.coming.speed)

@@ -10,6 +10,7 @@ from itertools import takewhile
 from chatscene.build.asked import FROM_A_STAND, ROOM, is_still, stands_first
 from chatscene.build.awaiting import awaited, waiting
 from chatscene.build.coming import Coming, coming, free_speed, keeps_limits, wanted_by
+from chatscene.build.halting import line_before
 from chatscene.build.ledger import Ledger
 from chatscene.build.numbers import FIRM, rigid, strong, stronger
 from chatscene.build.own import FIRST, KEEPS, LATER, Drives, fastest, is_own, own_orders
@@ -17,6 +18,7 @@ from chatscene.build.own_speeds import at_own_speeds
 from chatscene.build.place import GOES_OVER, NEXT_LANE, Found, at_junction, changed_at, merged_at
 from chatscene.build.relations import PASSES, speed_of
 from chatscene.build.restated import is_way
+from chatscene.build.standing_before import halts, keeps_in_lane, stops_on_its_way_round
 from chatscene.build.struck import STANDS_FOR, creeps_at, gives_way, slows_turning
 from chatscene.errors import NotBuilt, NothingBuilds
 from chatscene.maps.routes import TO_LINE
@@ -125,11 +127,17 @@ def ego_of(ledger: Ledger, found: Found, at_most: float = NOMINAL.speed) -> Buil
     wanted = f", with wantedSpeed {fastest(ego.does, speed):.4g}" + (", with keepsLimits True" if keeps else "")
     stands = bool(ego.does) and ego.does[0].act in FROM_A_STAND
     at_line = stands and junction
-    longer = 0.5 * (body.length - LIMITS[CAR].length) + _queue(situation, waits=at_line)  # its nose is so much nearer
+    longer = 0.5 * (body.length - LIMITS[CAR].length) + _queue(
+        situation, waits=at_line or _halts_at_line(situation, found)
+    )  # its nose is so much nearer
     ledger.situation = situation = at_own_speeds(situation, speed)
     _over_in_time(ledger, found.route)
     stop = _stops_at(situation, found, longer, junction=junction, at_line=at_line)
-    orders = (*_orders(ledger, ego.does, stop, speed, found.sides), *_struck_as_it_sets_off(ledger, speed))
+    orders = (
+        *_orders(ledger, ego.does, stop, speed, found.sides),
+        *_struck_as_it_sets_off(ledger, speed),
+        *keeps_in_lane(situation),
+    )
     back = backs(situation)
     if (ego.route in BEGINS or back) and not stands:  # others are to come meanwhile
         stands, orders = True, (Order(at_most=0, till=BESIDE), *orders)
@@ -152,6 +160,8 @@ def _stops_at(situation: Situation, found: Found, longer: float, *, junction: bo
     """How far [m] along its way an ego is to be slow, or to stand, whose nose is so much nearer [m] to the line."""
     if stops_across(situation.ego.does) and (across := _across(found, junction=junction)) is not None:
         return across
+    if (there := stops_on_its_way_round(situation, found.route)) is not None:
+        return there
     if junction and slows_turning(situation):
         return found.route.eventAt + TURNING
     if at_line:  # it begins there, and stops again with its nose in the junction
@@ -169,6 +179,11 @@ def _struck_as_it_sets_off(ledger: Ledger, speed: float) -> Iterator[Order]:
     if first.act is not Act.STAND:
         yield Order(at_most=0, till=stands)
     yield Order(at_most=round(slow, 2), till=2.0 * stands)
+
+
+def _halts_at_line(situation: Situation, found: Found) -> bool:
+    """Whether an ego comes to a stand by its first deed, where a sign or a light has all others stop before it."""
+    return halts(situation) is not None and line_before(situation, found) is not None
 
 
 def _queue(situation: Situation, *, waits: bool) -> float:

@@ -15,6 +15,7 @@ from chatscene.build.place import LANE, NEXT_LANE
 from chatscene.build.rates import brakes_by, goes_so_far, rate_of, throttles_by
 from chatscene.build.relations import speed_of
 from chatscene.build.sideways import speed_aside
+from chatscene.build.standing_before import BACKS_AT, BACKS_FOR, backs_into_ego
 from chatscene.build.towards import done_to
 from chatscene.errors import NotBuilt
 from chatscene.terms.situation import EGO, Deed
@@ -51,6 +52,9 @@ def of_deed(phases: Phases, k: int, text: str, steps: Steps) -> str:
     text = _lasts(phases, k, held_at(phases, renamed(text, "SPEED", speed.name or "SPEED"), speed), speed)
     if deed.act is Act.REVERSE and deed.distance is not None:
         text = renamed(renamed(text, "BACK", f"BACK_{k}"), "BACK_TIME", backs_by(actor, k))
+    elif deed.act is Act.REVERSE and deed.time is None and backs_into_ego(actor.ledger.situation, actor.one):
+        numbers.narrow("BACK", *BACKS_AT)
+        numbers.narrow("BACK_TIME", *BACKS_FOR)
     text = _bound(phases, k, text, steps, changed)
     if (far := goes_aside(actor, k)) is not None and "distance" in steps.binds:
         own = f"{(name := steps.binds['distance'])}_{k}"

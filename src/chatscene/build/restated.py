@@ -13,6 +13,7 @@ from chatscene.build.coming import wanted_by
 from chatscene.build.paces import AT_ONE_SPEED
 from chatscene.build.place import GOES_OVER, NEXT_LANE
 from chatscene.build.possible import OVERTAKEN
+from chatscene.build.standing_before import stand_before_ego
 from chatscene.build.timing import Body
 from chatscene.build.waiting import SIGNS
 from chatscene.errors import NotBuilt
@@ -82,6 +83,7 @@ def restated(situation: Situation) -> Restated:
         _right_behind,
     ):
         made.each(rule)
+    stand_before_ego(made)
     return made
 
 

@@ -47,6 +47,7 @@ from chatscene.build.place import (
 )
 from chatscene.build.relations import falls_behind, goes_with, slows_on_its_way, speed_of
 from chatscene.build.screening import AT_EDGE, IN_SHADOW, from_its_lane, shadowed
+from chatscene.build.standing_before import stop_behind
 from chatscene.build.struck import behind_by
 from chatscene.build.timing import Body
 from chatscene.build.turning_round import so_far_ahead
@@ -118,7 +119,8 @@ def _ahead(asked: Asked) -> Stand:
     if asked.walks:
         return _ahead_on_foot(asked)
     aside = -0.9 if asked.rides else 0.0
-    if asked.stands and (asked.swings_out or asked.ego.stands or asked.situation.ego.route in CHANGES):
+    before = asked.swings_out or asked.ego.stands or asked.situation.ego.route in CHANGES
+    if asked.stands and (before or stop_behind(asked) is not None):
         return _stands_ahead(asked, aside)
     if asked.swings_out:  # who is passed while it goes: it is there when the ego is
         asked.ahead(22, 30)
@@ -173,6 +175,10 @@ def _ahead_on_foot(asked: Asked) -> Stand:
 def _stands_ahead(asked: Asked, aside: float) -> Stand:
     """Who stands before an ego that stands, swings out round it, or changes to the lane beside it."""
     way = _within("ownLane(egoRoute)", aside)
+    if (stop := stop_behind(asked)) is not None:
+        nose = stop + asked.middles
+        asked.reach(nose + IN_QUEUE[0], nose + IN_QUEUE[1])
+        return Stand(meets=Meets.ALONG, way=_within(asked.lane, aside), at=f"$Y{asked.more}")
     if asked.swings_out:
         queue = sum(one.kind.row.body.row.limits.length + ROOM for one in asked.situation.others if stops_ahead(one))
         level = asked.at_event(-2, 2, SWINGS_OUT, "how far beyond where the ego swings out it stands", 2 + queue)

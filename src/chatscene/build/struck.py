@@ -9,7 +9,7 @@ from __future__ import annotations
 from enum import Enum
 from typing import TYPE_CHECKING
 
-from chatscene.build.contact import strikes_from_behind, touches
+from chatscene.build.contact import strikes_from_behind
 from chatscene.terms.backing import backs
 from chatscene.terms.situation import Deed, Other, Situation
 from chatscene.terms.vocabulary import (
@@ -143,9 +143,3 @@ def strikes(actor: Actor) -> tuple[str, ...]:
 def _follows(does: Does, speed: float, ego: float) -> bool:
     """Whether somebody at a speed [m/s] is slower than the ego drives, and faster than that comes to be."""
     return speed < SLOWER * ego and (does is Does.STOPS or speed > SLOWED)
-
-
-def backs_into(situation: Situation, one: Other) -> bool:
-    """Whether somebody ahead of the ego, in its lane, is to back into it."""
-    backs_up = any(deed.act is Act.REVERSE for deed in one.does)
-    return backs_up and one.starts.where is Where.AHEAD and touches(situation, one)
