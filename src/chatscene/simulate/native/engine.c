@@ -197,6 +197,8 @@ typedef struct {
     const Layer *layer;
     float *one, *other; /* room for what the widest layer takes and gives */
     int32_t *told;      /* room for which of these are not zero */
+    int64_t remembers;  /* of how many steps it is known what a network answered last, and to what */
+    double *memory;     /* of each of them what it saw, what it was to drive at most, and both answers */
 } Policy;
 
 const char *source_digest(void) { return SOURCE_DIGEST; }
@@ -1908,6 +1910,21 @@ void ask(const Policy *policy, const double *seen, double *acceleration, double 
     }
 }
 
+/* The same at a step of a drive. A network that sees there what it last saw there answers as it did: the drives of a
+ * route begin alike, and one that is driven again to brake goes on alike until then. */
+static void ask_at(const Policy *policy, int64_t step, const double *seen, double *acceleration, double *steer) {
+    if (policy->kind != NETWORK || step >= policy->remembers) { ask(policy, seen, acceleration, steer); return; }
+    int64_t size = policy->layer[0].inputs;
+    double *row = policy->memory + step * (size + 3);
+    if (memcmp(row, seen, sizeof(double) * (size_t)size) || row[size] != policy->caution.speed) {
+        ask(policy, seen, row + size + 1, row + size + 2);
+        memcpy(row, seen, sizeof(double) * (size_t)size);
+        row[size] = policy->caution.speed;
+    }
+    *acceleration = row[size + 1];
+    *steer = row[size + 2];
+}
+
 /* What the ego sees where it is, which may be anywhere on its route. */
 void see_world(World *w) {
     locate(w);
@@ -1920,7 +1937,7 @@ int64_t run_world(World *w, const Policy *policy, int64_t until) {
     double acceleration = 0.0, steer = 0.0;
     see_world(w);
     while (w->ending == GOES_ON && !w->fault && w->step < until) {
-        if (!left) { left = policy->every; ask(policy, w->seen, &acceleration, &steer); }
+        if (!left) { left = policy->every; ask_at(policy, w->step, w->seen, &acceleration, &steer); }
         left--;
         press(w, acceleration, steer);
     }
@@ -1934,7 +1951,7 @@ void brake_world(World *w, const Policy *policy, const Foot *foot) {
     double acceleration = 0.0, steer = 0.0;
     see_world(w);
     while (w->ending == GOES_ON && !w->fault && (double)standing * w->dt < foot->standstill) {
-        if (!left) { left = policy->every; ask(policy, w->seen, &acceleration, &steer); }
+        if (!left) { left = policy->every; ask_at(policy, w->step, w->seen, &acceleration, &steer); }
         left--;
         double pressed = acceleration < 0.0 ? acceleration * foot->own : acceleration;
         if (w->step >= foot->begins) {

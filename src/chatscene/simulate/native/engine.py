@@ -254,6 +254,8 @@ class Policy(Structure):
         ("layer", POINTER(Layer)),
         *((name, POINTER(c_float)) for name in ("one", "other")),
         ("told", POINTER(c_int32)),
+        ("remembers", c_int64),
+        ("memory", _Doubles),
     )
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ctypes import POINTER, c_float, c_int32
+from ctypes import POINTER, c_double, c_float, c_int32
 from dataclasses import replace
 from functools import lru_cache
 from typing import Any, TypeGuard
@@ -29,6 +29,7 @@ _AS_CALLED = (
     *("speed", "crash", "graze", "room", "side", "widening", "berth", "haste", "offset", "astray", "jerk", "resolve"),
     *("agility", "drift", "crossing"),
 )  # of the planner's caution, what the engine calls alike
+REMEMBERS = 1024  # steps of a drive of which what a network answered is kept for the next
 ASKED = 16  # observations on which a network's answers are held against numpy's
 
 
@@ -145,6 +146,8 @@ def network_policy(network: Network) -> Policy:
         one=pointer(np.empty(widest, np.float32), c_float),
         other=pointer(np.empty(widest, np.float32), c_float),
         told=pointer(np.empty(widest, np.int32), c_int32),
+        remembers=REMEMBERS,
+        memory=pointer(np.full((REMEMBERS, network.size + 3), np.nan), c_double),  # nan is like nothing that is seen
     )
     policy.kept = kept
     return policy
