@@ -53,6 +53,13 @@ def test_open_ground_is_written_beside_the_program_and_nothing_is_overwritten(be
         import_scenario(path)
 
 
+def test_a_program_names_the_map_that_lies_beside_it(beside: Path) -> None:
+    path = beside / "theirs.xosc"
+    path.write_text(scenario(**NO_ROADS))
+    done = import_scenario(path)
+    assert "param map = localPath('theirs.xodr')\nmodel chatscene.world.model" in done.program.read_text()
+
+
 def test_who_stands_in_somebody_else_at_first_may_do_so_and_nobody_else(beside: Path) -> None:
     events = event(DISTANCE)
     assert "allowCollisions" not in written_story(story(beside, scenario(events=events)), "theirs.xosc")

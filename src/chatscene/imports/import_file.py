@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import os
+import re
 import shlex
 import textwrap
 from collections.abc import Callable, Mapping
@@ -16,6 +18,7 @@ from chatscene.imports.openscenario import Carried, Imported, ScenarioFile
 from chatscene.imports.stranger_xml import read_xml
 from chatscene.imports.variants import Variants, variants_of
 from chatscene.imports.written_story import StoryProgram, as_written, played, told_line, written_story
+from chatscene.maps.carla_towns import is_town
 from chatscene.maps.left_hand import keeps_left
 from chatscene.maps.network import name_of
 from chatscene.search.generators.foreign import foreign_program
@@ -257,7 +260,8 @@ def _written(made: Mapping[Path, _Program], *notes: str) -> ImportedScenario:
         if is_open_ground(one.map_path) and one.map_path not in grounds:
             grounds[one.map_path] = out.with_suffix(".xodr")
             _free(grounds[one.map_path])
-    contents = {out: one.text.encode() for out, one in made.items()}
+    maps = tuple(grounds.get(one.map_path, one.map_path) for one in made.values())
+    contents = {out: _on(one.text, at, out).encode() for (out, one), at in zip(made.items(), maps, strict=True)}
     contents |= {ground: lies.read_bytes() for lies, ground in grounds.items()}
     for out, content in contents.items():
         try:
@@ -267,7 +271,6 @@ def _written(made: Mapping[Path, _Program], *notes: str) -> ImportedScenario:
                 written_before.unlink(missing_ok=True)
             raise SettingsError(f"cannot write {out}: {error.strerror}") from error
         done.append(out)
-    maps = tuple(grounds.get(one.map_path, one.map_path) for one in made.values())
     others = [f"{out.name} lies on another map, {at}" for out, at in zip(made, maps, strict=True) if at != maps[0]]
     every = (*notes, *others, *(note for one in made.values() for note in one.notes))
     as_written = (*notes, *others, *(note for one in made.values() for note in one.notes_as_written))
@@ -282,11 +285,24 @@ def _written(made: Mapping[Path, _Program], *notes: str) -> ImportedScenario:
     )
 
 
+def _on(text: str, at: Path, out: Path) -> str:
+    """A program that names its map: a town of CARLA's by its name, a file by the path from the program's folder.
+
+    It is as it was where its map is a packaged one, which a run takes by its name.
+    """
+    name = name_of(at)
+    if name != str(at) and not is_town(name):
+        return text
+    path = f"{name}.xodr" if is_town(name) else Path(os.path.relpath(at.resolve(), out.resolve().parent)).as_posix()
+    return _MODEL.sub(lambda model: f"param map = localPath({path!r})\n{model[0]}", text, count=1)
+
+
 # A storyboard as a Scenic program for our own world model, which `chatscene run --program` runs as any of a
 # user
 
 
 _COLUMNS = 100
+_MODEL = re.compile(r"^model .*$", re.MULTILINE)
 
 
 def written(board: Storyboard, name: str, whole: StoryProgram | None = None) -> str:
