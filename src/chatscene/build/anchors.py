@@ -28,7 +28,7 @@ def anchor_of(one: Other, others: Sequence[Other]) -> tuple[Other, float] | None
         if other.id == one.id:
             continue
         body = other.kind.row.body.row.limits
-        if _keeps_level(one, other, others):
+        if _keeps_level(one, other, others) or (_goes_abreast(one, other) and _is_first(other, one, others)):
             return other, 0.0
         if passed_at_distance(one, other):
             apart = OUT if other.starts.where is Where.ONCOMING_IN_OUR_LANE else BEFORE_OUT
@@ -53,9 +53,24 @@ def _keeps_level(one: Other, other: Other, others: Sequence[Other]) -> bool:
         for deed in who.does[:1]
     )
     together = any(one.starts.where in group and other.starts.where in group for group in _GROUPS)
+    return levels and together and _is_first(other, one, others)
+
+
+def _is_first(other: Other, one: Other, others: Sequence[Other]) -> bool:
+    """Whether another is placed before somebody."""
     ids = [each.id for each in others]
     ranks = [(each.role is not Role.ADVERSARY, ids.index(each.id)) for each in (other, one)]
-    return levels and together and ranks[0] < ranks[1]
+    return ranks[0] < ranks[1]
+
+
+def _goes_abreast(one: Other, other: Other) -> bool:
+    """Whether two without motors go side by side in one lane: the one to its left, the other to its right."""
+    start, there = one.starts, other.starts
+    if start.lateral is None or there.lateral is None or there.distance is not None:
+        return False
+    sides = {start.lateral.side, there.lateral.side} == {Side.LEFT, Side.RIGHT}
+    slow = not (one.kind.row.body.row.motorised or other.kind.row.body.row.motorised)
+    return sides and slow and start.where is there.where and start.side is there.side
 
 
 def _lets_across(one: Other, other: Other) -> bool:

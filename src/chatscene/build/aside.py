@@ -13,7 +13,19 @@ from chatscene.build.place import NEXT_LANE
 from chatscene.build.relations import grip_of
 from chatscene.build.restated import untimed
 from chatscene.terms.situation import EGO, Other
-from chatscene.terms.vocabulary import LOSES, SIDEWAYS, Act, Facing, Part, Side, Striker, Where
+from chatscene.terms.vocabulary import (
+    COMES_IN,
+    LOSES,
+    SIDEWAYS,
+    Act,
+    Facing,
+    Heads,
+    Part,
+    Side,
+    Striker,
+    Where,
+    acts_of,
+)
 
 if TYPE_CHECKING:
     from chatscene.build.actor import Actor
@@ -24,6 +36,8 @@ GRAZES = (-0.14, -0.06)  # [m] the same, of who touches a side of the ego
 COMES_ASIDE_AT = 3.5  # [s] before they touch that it is aside
 _ON_A_SIDE = frozenset((Part.LEFT, Part.RIGHT, Part.LEFT_FRONT, Part.RIGHT_FRONT))
 GOES_BY_AT = 2.0  # [s] before they would touch that it leaves the ego's line
+_BESIDE_ROAD = frozenset((Where.KERB, Where.ROADSIDE, Where.DRIVEWAY, Where.BUS_BAY, Where.CROSSING))
+_TURNS = acts_of(Heads.ROUND)
 _DRIVES = re.compile(r"^DrivePath\((.+), ([^,]+)\)$")
 SWERVES_AT = 1.0  # [s] before whom it swerves round somebody does, where the road holds
 NEAR, SLOWER = 2.0, 0.7  # [m] before whom it swerves round; of the speed that one then has
@@ -37,7 +51,17 @@ def avoids(actor: Actor, k: int) -> Other | None:
         return None
     others = (one for one in actor.ledger.situation.others if one.id != here.id and one.starts.where is Where.AHEAD)
     there = [one for one in others if stops_ahead(one) or stands_first(one)]
+    answers = answered_by(actor, k)
+    if answers and answers.isdisjoint(one.id for one in there):
+        return None  # it swerves for what somebody else does
     return next((one for one in there if one.id == actor.deeds[k].whom), next(iter(there), None))
+
+
+def answered_by(actor: Actor, k: int) -> frozenset[str]:
+    """For whose deeds somebody does its k-th, by ids; the ego's count for nobody."""
+    when = actor.deeds[k].when
+    named = (when.after, when.during) if when is not None else ()
+    return frozenset(name.partition(".")[0] for name in named if name is not None) - {EGO, actor.one.id}
 
 
 def goes_round(actor: Actor, k: int) -> str:
@@ -138,6 +162,17 @@ def _aside(actor: Actor, phases: tuple[str, ...], by: tuple[float, float], at: f
     return (*before, f"{last} until {near}", f"DrivePath({way}, {speed}, {'-' if left else ''}$BY)")
 
 
+def _behind_who_comes_in(actor: Actor, k: int) -> Side | None:
+    """The side from which another comes into the lane for which somebody swerves: behind that one it is free."""
+    if actor.deeds[k].act is not Act.SWERVE or actor.one.starts.where is not Where.AHEAD:
+        return None
+    for name in sorted(answered_by(actor, k)):
+        other = actor.ledger.situation[name]
+        if other.starts.where in _BESIDE_ROAD and any(deed.act in COMES_IN | _TURNS for deed in other.does):
+            return other.starts.side or actor.found.sides.get(name)
+    return None
+
+
 def sign_of_side(actor: Actor, k: int) -> str:
     """To which side of its line it goes: 1 for left; where that was not said, toward the ego's way."""
     deed, toward = actor.deeds[k], actor.stand.meets is Meets.TOWARD or actor.one.starts.where is Where.ONCOMING
@@ -147,6 +182,8 @@ def sign_of_side(actor: Actor, k: int) -> str:
         return str(-sign if toward else sign)
     if toward:
         return "1"
+    if (behind := _behind_who_comes_in(actor, k)) is not None:
+        return "1" if behind is Side.LEFT else "-1"
     start = actor.one.starts  # by its side there, not by where it is then: once over the middle it would turn round
     against = actor.stand.meets is Meets.KERB and start.facing is Facing.AGAINST
     return "-1" if (start.side is Side.LEFT) is not against else "1"

@@ -271,7 +271,16 @@ def bolts(one: Other) -> bool:
 def between(one: Other, speed: float) -> float:
     """How much room [m] is between those who are in a row, more where they drive at a speed [m/s]."""
     drives = one.kind.row.body.row.motorised and not stands_first(one)
-    return max(ROOM, APART * speed) if drives else ROOM
+    return max(ROOM, APART * min(speed, slow_speed(one) or speed)) if drives else ROOM
+
+
+def slow_speed(one: Other) -> float | None:
+    """How fast [m/s] somebody goes along who was said to do so at a speed, or slowly; None if nothing was said."""
+    first = one.does[0] if one.does else None
+    said = one.starts.speed or (first.speed if first is not None and first.act in GOES_ON else None)
+    if said is not None:
+        return None if said.than_ego else said.most
+    return one.kind.row.body.row.slow if goes_slowly(one) else None
 
 
 FROM_A_STAND = acts_of(Tempo.STANDS, Tempo.SETS_OFF)

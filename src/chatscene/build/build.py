@@ -20,7 +20,7 @@ from chatscene.build.contact import at_a_corner, parts_in_line
 from chatscene.build.ego import BuiltEgo, ego_of, ordered
 from chatscene.build.finding import find, started, without_one_fact
 from chatscene.build.keeping import as_kept, take_kept
-from chatscene.build.lane_order import check_hidden, cross_before_who_brakes, leaves_row, set_in_order
+from chatscene.build.lane_order import check_hidden, come_before_who_answers, leaves_row, set_in_order
 from chatscene.build.laying import roads_for
 from chatscene.build.ledger import Ledger, as_written
 from chatscene.build.naming import name_of
@@ -50,7 +50,7 @@ from chatscene.terms.rolling import as_it_rolls
 from chatscene.terms.scene import ScenicProgram
 from chatscene.terms.situation import Other, Situation
 from chatscene.terms.surroundings import FOLLOWS
-from chatscene.terms.vocabulary import Act, Role, Where
+from chatscene.terms.vocabulary import OVER_A_LINE, Act, Role, Where
 
 _SAME = {Where.DRIVEWAY: "roadside", Where.IN_ROUNDABOUT: "roundabout-entry"}
 """Where those stand in one row who are said to be in two places."""
@@ -312,7 +312,7 @@ def _cast_there(
     soon = min(actor.met for actor, _ in everybody if actor.one.role is Role.ADVERSARY)
     for actor, _ in everybody:
         actor.soon = soon if actor.one.role is Role.SUPPORTING else None
-    cross_before_who_brakes([actor for actor, _ in everybody])
+    come_before_who_answers([actor for actor, _ in everybody])
     come_after_who_passes([actor for actor, _ in everybody])
     come_by_before_who_crosses([actor for actor, _ in everybody])
     stand_beyond_who_passes([actor for actor, _ in everybody])
@@ -336,7 +336,8 @@ def _everybody(ledger: Ledger, found: Found, ego: BuiltEgo) -> list[tuple[Actor,
 
     def late(one: Other) -> tuple[bool, bool, bool]:
         """Whether somebody is placed after others: by whom it hides, who begins beside it, who is met."""
-        return _hides(situation, one) is not None, bool(anchors.get(one.id)), _on_arm_unmet(situation, one)
+        unmet = _on_arm_unmet(situation, one) or _leads_unmet(situation, one)
+        return _hides(situation, one) is not None, bool(anchors.get(one.id)), unmet
 
     for one in sorted(others, key=late):
         hidden = _hides(situation, one)
@@ -375,6 +376,19 @@ def _everybody(ledger: Ledger, found: Found, ego: BuiltEgo) -> list[tuple[Actor,
         order.append((actor, built[hidden] if hidden is not None else None))
     set_in_order([actor for actor, _ in order])
     return order
+
+
+def _leads_unmet(situation: Situation, one: Other) -> bool:
+    """Whether somebody who is not met goes along ahead, all the time: who is met there is nearer to the ego.
+
+    Of nobody else it was said whether it is before that one.
+    """
+    goes = one.starts.where is Where.AHEAD and not stands_first(one) and one.role is not Role.ADVERSARY
+    leaves = not OVER_A_LINE.isdisjoint(deed.act for deed in one.does)
+    others = [other for other in situation.others if other.id != one.id]
+    named = any(other.hidden_by == one.id or any(deed.whom == one.id for deed in other.does) for other in others)
+    names = any(deed.whom is not None for deed in one.does)
+    return goes and not (leaves or named or names)
 
 
 def _on_arm_unmet(situation: Situation, one: Other) -> bool:

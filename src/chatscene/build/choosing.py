@@ -147,8 +147,8 @@ def _table(actor: Actor, k: int) -> Iterator[tuple[Act, Steps]]:
 
 
 def _off_the_road(actor: Actor, k: int) -> Iterator[tuple[Act, Steps]]:
-    """The row of who goes along or against the ego and leaves the road; without it nobody does."""
-    if actor.stand.meets in (Meets.ALONG, Meets.TOWARD) and actor.deeds[k].act is Act.LEAVE_ROAD:
+    """The row of who leaves the road, over the edge that was said or the nearest."""
+    if actor.deeds[k].act is Act.LEAVE_ROAD:
         yield Act.LEAVE_ROAD, leaves_road(actor, k)
 
 

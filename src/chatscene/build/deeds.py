@@ -114,6 +114,10 @@ _SPINS = (
     "SwerveOnPath({p}, $SPEED, {aside} * $SWERVE) for 0.8 seconds",
     f"Slide({{aside}} * $SPIN, $SLIDE) until {STILL}",
 )
+_LEAVES = (
+    "DrivePath({p}, $SPEED, {aside} * $OFF) for 1.8 seconds",
+    f"BrakeOnPath({{p}}, $BRAKE, {{aside}} * $OFF) until {STILL}",
+)
 ALONG: dict[Act, Steps] = {
     **_each((Act.GO_ALONG, Act.GO_STRAIGHT, Act.FOLLOW, Act.EXIT, *_TURNS), _GOES),
     Act.STAND: _STANDS,
@@ -236,6 +240,13 @@ ALONG: dict[Act, Steps] = {
         does=("DrivePath({p}, $SLOW, -3) for 3 seconds", BRAKES),
         last=("DrivePath({p}, $SLOW, -3) for 3 seconds", BRAKES, "Halt()"),
         binds={"speed": "SLOW"},
+        still=True,
+        going=True,
+        pace=Pace.STANDS,
+    ),
+    Act.LEAVE_ROAD: Steps(
+        does=(*_LEAVES, "Halt() for $STOP_TIME seconds"),
+        last=(*_LEAVES, "Halt()"),
         still=True,
         going=True,
         pace=Pace.STANDS,

@@ -52,6 +52,8 @@ from chatscene.terms.vocabulary import (
 from chatscene.world.ego_route import EgoRoute as Route
 
 LINE = 3.5  # [m] before the junction the centre of a car stands whose nose is at the line
+STOPS_WITHIN = 2.0  # [s] before somebody who does so from the start, that an ego begins to stop for that
+HALTS = 5.0  # [m/s²] with which an ego stops before what others do then
 STAND = 4.0  # [s] that somebody stands who sets off again
 BESIDE = 3.0  # [s] that the ego stands beside its lane before it comes into it
 SLOW = 3.0  # [m/s]
@@ -318,10 +320,10 @@ def _orders(
         yield from _breaks(ledger, deed, at, stop, speed)
         if (answers := ledger.situation.answered(deed)) is not None:  # it does so by itself, as it has to
             ledger.take(f"{at}.whom", *(f"{at}.when.{name}" for name in ("after", "during")), f"{at}.manner")
-            if (order := _as_told(ledger, deed, at, speed)) is not None:
-                yield order
-                continue
-            ledger.assume(f"the ego's {deed.act} {_for_which(ledger.situation, *answers)} is left to its driver")
+            told = _stops_for_others(ledger, k, speed) or _as_told(ledger, deed, at, speed)
+            yield from told
+            if not told:
+                ledger.assume(f"the ego's {deed.act} {_for_which(ledger.situation, *answers)} is left to its driver")
             continue
         if ends := tuple(_ends(ledger, deeds, k, steered, stop, speed)):
             yield from ends
@@ -354,16 +356,34 @@ def _ends(
         yield replace(steered, at_most=0, braking=_braking(ledger, deeds[k], f"ego.does.{k}", 3.0))
 
 
-def _as_told(ledger: Ledger, deed: Deed, at: str, speed: float) -> Order | None:
-    """An order to lose speed by numbers that were said, once another does something; None where none were.
+def _stops_for_others(ledger: Ledger, k: int, speed: float) -> tuple[Order, ...]:
+    """Orders to stop once another does something, and to stay, if others act once the ego has; none of any other.
+
+    Whoever drives would stop, too, but perhaps elsewhere, or not for long: and then nothing comes of what others do.
+    """
+    situation = ledger.situation
+    deed, waits = situation.ego.does[k], awaited(situation.ego.does[k])
+    if waits is None or deed.act is not Act.STOP or k + 1 < len(situation.ego.does):
+        return ()
+    whens = (one.when for other in situation.others for one in other.does if one.when is not None)
+    named = (name for when in whens for name in (when.after, when.during) if name and name.startswith(f"{EGO}."))
+    if all(situation.number_of(name) != k for name in named):
+        return ()
+    ledger.assume("the ego keeps its line until it has stopped, since others act then")
+    stops = Order(at_most=0, since=round(speed / HALTS, 2), braking=HALTS, within=STOPS_WITHIN * speed)
+    return Order(aside=0.0), waiting(stops, *waits)
+
+
+def _as_told(ledger: Ledger, deed: Deed, at: str, speed: float) -> tuple[Order, ...]:
+    """An order to lose speed by numbers that were said, once another does something; none where none were.
 
     It ends when the ego has lost it: what comes then is left to its driver.
     """
     waits, said = awaited(deed), deed.speed is not None or deed.acceleration is not None
     if waits is None or not said or deed.act not in acts_of(Tempo.SLOWS, Tempo.BRAKES):
-        return None
+        return ()
     order = _slower(ledger, deed, at, 0.0, AT_ONCE, speed, EASED * speed)
-    return waiting(replace(order, till=round(order.since + SLOWED, 1)), *waits)
+    return (waiting(replace(order, till=round(order.since + SLOWED, 1)), *waits),)
 
 
 def backs_up(situation: Situation, deed: Deed) -> bool:

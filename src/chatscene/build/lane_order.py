@@ -6,7 +6,8 @@ import math
 from collections.abc import Iterator, Sequence
 
 from chatscene.build.actor import Actor
-from chatscene.build.aside import avoids, seconds_aside
+from chatscene.build.aim import LEADS
+from chatscene.build.aside import SWERVES_AT, answered_by, avoids, seconds_aside
 from chatscene.build.asked import ROOM, Meets, stands_first
 from chatscene.build.numbers import Numbers
 from chatscene.build.revealed import shows_slow
@@ -14,7 +15,7 @@ from chatscene.build.towards import done_to, screens
 from chatscene.build.turning_round import WIDER
 from chatscene.errors import NotBuilt
 from chatscene.terms.situation import EGO, Other
-from chatscene.terms.vocabulary import COMES_IN, COMES_OVER, SIDEWAYS, SLOWS, Role, Where
+from chatscene.terms.vocabulary import ASIDE, COMES_IN, COMES_OVER, SIDEWAYS, SLOWS, Role, Where
 from chatscene.world.places import FOLLOWING_BRAKE
 
 HEADWAY = 1.3  # [s] that somebody is behind another who comes in between that and the ego
@@ -78,24 +79,35 @@ def _pulls_out_before(by: Actor, one: Actor) -> bool:
     return comes and one.one.starts.where is Where.AHEAD and "$Y" in by.stand.at
 
 
-def cross_before_who_brakes(actors: Sequence[Actor]) -> None:
-    """Let who is not met, and crosses, do so just before somebody ahead of the ego that is to lose speed then."""
+def come_before_who_answers(actors: Sequence[Actor]) -> None:
+    """Let who is not met, and comes into our lane, do so just before somebody ahead of the ego that is to answer it."""
     for actor in actors:
-        crosses = actor.stand.meets is Meets.ACROSS and actor.one.role is Role.SUPPORTING
-        if not crosses or actor.one.starts.distance is not None:
+        comes = actor.stand.meets in (Meets.ACROSS, Meets.KERB) and actor.one.role is Role.SUPPORTING
+        if not comes or actor.one.starts.distance is not None:
             continue
-        needs = [_rests(by, k) for by in actors for k in _answers(by, actor.one.id)]
+        needs = [_needs(by, k) for by in actors for k in _answers(by, actor.one.id)]
         if needs:
             actor.sooner = (max(needs) + 0.5 * actor.limits.width + ROOM) / actor.ego_speed
+            if actor.stand.meets is Meets.KERB:
+                actor.numbers.narrow("OFFSET", actor.sooner, actor.sooner + LEADS)
 
 
 def _answers(by: Actor, name: str) -> Iterator[int]:
-    """The deeds by which somebody who drives before the ego, as fast as it, slows since another does something."""
+    """The deeds by which somebody who drives before the ego, as fast as it, slows or swerves as another does something.
+
+    Who swerves answers only what it was said to.
+    """
     if by.one.starts.speed is None and by.one.starts.where is Where.AHEAD and _goes_along(by):
         for k, deed in enumerate(by.deeds):
             answer = by.ledger.situation.answered(deed)
-            if answer is not None and answer[1].partition(".")[0] == name:
+            whom = {answer[1].partition(".")[0]} if answer is not None else set[str]()
+            if name in whom or (deed.act in ASIDE and name in answered_by(by, k)):
                 yield k
+
+
+def _needs(by: Actor, k: int) -> float:
+    """How far ahead of where the ego then is [m] somebody comes into the lane for whom another does its k-th deed."""
+    return _rests(by, k) if by.deeds[k].act in SLOWS else by.farthest + SWERVES_AT * by.ego_speed
 
 
 def _rests(by: Actor, k: int) -> float:

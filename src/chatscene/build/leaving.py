@@ -2,23 +2,23 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from chatscene.build.asked import Meets
-from chatscene.build.deeds import STILL, Steps
+from chatscene.build.deeds import ALONG, Steps
+from chatscene.build.numbers import RANGES
 from chatscene.build.over_lanes import lane_after
-from chatscene.build.paces import Pace
 from chatscene.build.place import LANE
 from chatscene.errors import NothingBuilds
 from chatscene.terms.situation import Road, Situation
-from chatscene.terms.vocabulary import Side, Where
+from chatscene.terms.vocabulary import Act, Side, Where
 from chatscene.world.places import beside_road
 
 if TYPE_CHECKING:
     from chatscene.build.actor import Actor
 
 BEYOND = (0.3, 1.2)  # [m] between the edge of the lanes and the body, from and to
-GETS_OFF = 1.8  # [s] that somebody drives on as it steers off, before it brakes
 _AGAINST = frozenset((Where.ONCOMING, Where.ONCOMING_IN_OUR_LANE))
 
 
@@ -26,9 +26,11 @@ def leaves_road(actor: Actor, k: int) -> Steps:
     """How somebody leaves the road by its k-th deed: over the nearest edge, if no side was said.
 
     Raises:
-        NotBuilt: The road has no edge on that side.
+        NotBuilt: The road has no edge on that side, or somebody does not go along it.
     """
     deed, at = actor.deeds[k], f"{actor.path}.does.{k}"
+    if actor.stand.meets not in (Meets.ALONG, Meets.TOWARD):
+        raise NothingBuilds(f"cannot be built yet: {deed.act}, {actor.one.starts.where}")
     found = {side: far for side in Side if (far := _to_edge(actor, k, side)) is not None}
     if deed.to is not None:
         actor.ledger.take(f"{at}.to")
@@ -37,18 +39,15 @@ def leaves_road(actor: Actor, k: int) -> Steps:
         raise NothingBuilds(f"cannot be built yet: {at}.to: {side}; the road has no edge there")
     far = found[side] + 0.5 * actor.limits.width
     name = f"OFF_{k}"
-    actor.numbers.measure(name, far + BEYOND[0], far + BEYOND[1], "m", "how far aside of its line it leaves the road")
+    _, _, unit, meaning = RANGES["OFF"]
+    actor.numbers.measure(name, far + BEYOND[0], far + BEYOND[1], unit, meaning)
     against = actor.stand.meets is Meets.TOWARD
     sign = "-" if (side is Side.RIGHT) is not against else ""
-    off = f"DrivePath({{p}}, $SPEED, {sign}${name}) for {GETS_OFF:g} seconds"
-    stops = f"BrakeOnPath({{p}}, $BRAKE, {sign}${name}) until {STILL}"
-    return Steps(
-        does=(off, stops, "Halt() for $STOP_TIME seconds"),
-        last=(off, stops, "Halt()"),
-        still=True,
-        going=True,
-        pace=Pace.STANDS,
+    row = ALONG[Act.LEAVE_ROAD]
+    does, last = (
+        tuple(text.replace("{aside} * $OFF", f"{sign}${name}") for text in texts) for texts in (row.does, row.last)
     )
+    return replace(row, does=does, last=last)
 
 
 def _to_edge(actor: Actor, k: int, side: Side) -> float | None:

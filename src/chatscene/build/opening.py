@@ -274,7 +274,7 @@ class Opening(UnderWay):
         if free and "$Y" in stand.at:
             self._fit(actor.ego.time_at(reaches) - self._wait())
             actor.needs = self._takes() + self._wait()
-        if free and stand.anywhere:
+        if free and stand.anywhere and not (actor.ego.stands and stand.meets is Meets.ACROSS):
             low, high, unit, meaning = actor.numbers.range_of("Y")
             end = route.route.length if route.route.junction is None else route.eventAt
             if any(self._at_crosswalk(other) for other in actor.ledger.situation.others):

@@ -12,7 +12,18 @@ from chatscene.build.aside import comes_aside, goes_by, goes_round, grazes, line
 from chatscene.build.asked import Meets, stands_first, stays_after_turning, stops_in_the_way, stops_on_its_way
 from chatscene.build.choosing import is_in_ours, steps_of
 from chatscene.build.contact import misses, parts_of_door, touches
-from chatscene.build.deeds import BARRED, GO, MOVE, RESTS, RESTS_THERE, ROUND, ROUND_ON_FOOT, UNDER_WAY, Steps
+from chatscene.build.deeds import (
+    BARRED,
+    BEHIND_ANOTHER,
+    GO,
+    MOVE,
+    RESTS,
+    RESTS_THERE,
+    ROUND,
+    ROUND_ON_FOOT,
+    UNDER_WAY,
+    Steps,
+)
 from chatscene.build.facing import OVER
 from chatscene.build.gaps import (
     LOSES,
@@ -43,7 +54,21 @@ from chatscene.build.waiting import when_of
 from chatscene.errors import NotBuilt, NothingBuilds
 from chatscene.situations.phrases import one_of
 from chatscene.terms.actors import Limits
-from chatscene.terms.vocabulary import ENDS, HALTS, STOPS, Act, Heads, Manner, Role, Striker, Tempo, Where, acts_of
+from chatscene.terms.situation import EGO
+from chatscene.terms.vocabulary import (
+    ENDS,
+    HALTS,
+    SIDEWAYS,
+    STOPS,
+    Act,
+    Heads,
+    Manner,
+    Role,
+    Striker,
+    Tempo,
+    Where,
+    acts_of,
+)
 
 if TYPE_CHECKING:
     from chatscene.build.actor import Actor
@@ -55,6 +80,7 @@ RUN_UP = 15.0  # [m] that somebody beside the road may need to get under way
 STAYS = acts_of(Tempo.GAINS, Heads.DRIFTS)  # it goes on so, whatever time that took
 OPENS_BEFORE, OPENS_INTO = (-1.1, -0.5), (-1.4, -1.1)  # [s] later than one could stop for it that a door is opened
 OPENS_AHEAD = (0.5, 1.5)  # [s] sooner than usual that one is opened in the lane that the ego comes along
+_PACED = BEHIND_ANOTHER.last[0]
 OUT_AGAIN = acts_of(Tempo.SETS_OFF, Heads.ROUND, Heads.FROM_EDGE, Heads.OVER, Heads.BEFORE, Heads.IN)
 COMES_BY = "headway(egoRoute, self, ego) > -(self.length + ego.length) / 2 - 3 - 0.5 * ego.pose[3] or ego.pose[3] < 0.3"
 """When the ego is about to pass whoever has parked, or waits behind it."""
@@ -277,7 +303,8 @@ class Phases:
                 body.append(f"{self._at(k, meanwhile)} until {near}")
             elif k > first and deed.when is not None:
                 changes = steps.pace in (Pace.GAINS, Pace.LOSES)
-                body += when_of(actor, k, deed.when, self._at(k, meanwhile, before=changes))
+                goes_on = _PACED if self._follows_until(k) else self._at(k, meanwhile, before=changes)
+                body += when_of(actor, k, deed.when, goes_on)
             if k > first and deed.when is None and deed.act in OUT_AGAIN and actor.deeds[k - 1].act is Act.PARK:
                 body.append(f"Halt() until {COMES_BY}")
             if steps.comes_in and turned:
@@ -301,6 +328,15 @@ class Phases:
             still = steps.pace is Pace.STANDS
             turned ^= deed.act is Act.TURN_BACK
             yield body
+
+    def _follows_until(self, k: int) -> bool:
+        """Whether somebody in the ego's lane behind it does something once the ego does: until then it keeps behind."""
+        actor, when = self.actor, self.actor.deeds[k].when
+        named = (when.after, when.during) if when is not None else ()
+        waits = any(name is not None and name.startswith(f"{EGO}.") for name in named)
+        left = not SIDEWAYS.isdisjoint(deed.act for deed in actor.deeds[:k])
+        behind = actor.stand.meets is Meets.ALONG and actor.one.starts.where is Where.BEHIND and not left
+        return waits and behind and not touches(actor.ledger.situation, actor.one)
 
     def _must_get_going(self, k: int, *, still: bool) -> bool:
         """Whether it must get under way before a deed, from a stand or to a speed that was chosen for it."""

@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 
-from chatscene.build.asked import PARKED_APART, ROOM, stands_first
+from chatscene.build.asked import PARKED_APART, ROOM, slow_speed, stands_first
 from chatscene.build.coming import wanted_by
 from chatscene.build.paces import AT_ONE_SPEED
 from chatscene.build.place import GOES_OVER, NEXT_LANE
@@ -42,6 +42,7 @@ _AGAINST = frozenset((Where.ONCOMING_IN_OUR_LANE, Where.ONCOMING))
 FROM_LINE, EGO_FIRST = 8.0, 1.0  # [m] from its line to the ego's way; [s] that the ego may be there first
 _IN_LINE = frozenset((Where.AHEAD, Where.ONCOMING_IN_OUR_LANE))
 """Where somebody is met by the ego's front along its lane."""
+QUEUES = 0.6  # of what the ego wants, the most speed of traffic that queues beside it
 _TO_SIDE = {EgoRoute.LEFT_TURN: Side.LEFT, EgoRoute.RIGHT_TURN: Side.RIGHT}
 
 
@@ -81,6 +82,7 @@ def restated(situation: Situation) -> Restated:
         _for_whom,
         _comes_into_view,
         _right_behind,
+        _in_slow_row,
     ):
         made.each(rule)
     stand_before_ego(made)
@@ -230,6 +232,21 @@ def _comes_into_view(made: Restated, one: Other) -> Other:
     does = (replace(first, when=None, speed=None), *one.does[1:])
     made.taken += [f"others.{one.id}.does.0.speed"] * (first.speed is not None)
     return replace(one, starts=replace(one.starts, speed=wish), does=does)
+
+
+def _in_slow_row(made: Restated, one: Other) -> Other:
+    """Who comes out of a lane in which others queue goes as slowly as those, before."""
+    start = one.starts
+    own = one.count == 1 and start.where in NEXT_LANE and start.side is not None and start.speed is None
+    if not own or not one.kind.row.body.row.motorised or stands_first(one) or any(deed.speed for deed in one.does):
+        return one
+    for row in made.situation.others:
+        in_lane = row.count != 1 and row.starts.where in NEXT_LANE and row.starts.side is start.side
+        slow = slow_speed(row) if in_lane and not stands_first(row) else None
+        if slow is not None and slow < QUEUES * wanted_by(made.situation):
+            made.assumed.append(f"{one.id} goes as slowly as {row.id}, in whose lane it is")
+            return replace(one, starts=replace(start, speed=Speed(slow, slow)))
+    return one
 
 
 def _right_behind(made: Restated, one: Other) -> Other:

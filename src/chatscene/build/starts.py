@@ -79,6 +79,7 @@ from chatscene.world.places import lanes_beside
 
 BACKS = 1.5, 3.0  # [m/s], from and to, that somebody comes backwards onto the road
 DRIVES = 1.5  # [s] that the ego is longer on its way to whom somebody hides who comes driving and stops there
+BEFORE_NOSE = (1.5, 5.0)  # [m] from the nose of an ego that stands, from and to, that somebody crosses
 EDGE, CROSSES_FROM, MEDIAN = 1.2, 1.55, 1.9  # [m] from the ego's line, in its lane and between the directions
 HEADWAY = 0.9, 1.7  # [s] behind whom it follows an ego is, from and to
 STOPPING = 3.0  # [m/s²] that an ego loses at least which comes to a stand
@@ -451,8 +452,14 @@ def _level_of(asked: Asked) -> str:
 
 def _anywhere_beside(asked: Asked) -> str:
     """Where along the ego's way somebody beside the road is whom nothing there holds to a place."""
-    asked.reach(*_level_beside(asked))
+    asked.reach(*(_before_nose(asked) if asked.ego.stands else _level_beside(asked)))
     return "shortOfJunction(egoRoute, $Y)"
+
+
+def _before_nose(asked: Asked) -> tuple[float, float]:
+    """Where [m] along its way somebody is who crosses just before an ego that stands all along, from and to."""
+    nose = 0.5 * asked.situation.ego.body.row.limits.length
+    return nose + BEFORE_NOSE[0], nose + BEFORE_NOSE[1]
 
 
 def _in_driveway(asked: Asked) -> str:

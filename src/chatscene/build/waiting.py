@@ -92,6 +92,8 @@ _OF: dict[Tempo | Heads | Act, Sign] = {
     Heads.BY: Sign(
         f"headway(way{{who}}, {{whom}}, {{who}}) > -{_NEAR} - 3", f"headway(way{{who}}, {{whom}}, {{who}}) > {_NEAR}"
     ),
+    Act.LOSE_CONTROL: Sign(_ASIDE.begun, "{who}.pose[3] < 0.5 * {usual}"),
+    Act.LEAVE_ROAD: Sign(_ASIDE.begun, "abs(offsetFrom(way{who}, {who})) > 2"),
     Act.OPEN_DOOR: Sign("abs(offsetFrom(way{who}, {who}_door_{k})) > 0.7"),
     Act.DROP_LOAD: Sign("{who}_load_{k}.pose[3] < 0.9 * {who}.pose[3]"),
     **dict.fromkeys((Heads.CLOSE, Heads.LEVEL), Sign(f"gap({{whom}}, {{who}}) < {_NEAR} + 8")),

@@ -21,6 +21,10 @@ from chatscene.terms.vocabulary import Facing, Role, Side, UserKind, Where
 from chatscene.world.places import lanes_beside
 
 ON_FOOT, BESIDE = 1.3, 0.7  # [m] between the middles of two on foot side by side; between the sides of two
+_IN_LANE = re.compile(r"pointOn\(egoRoute, level\{i\}(?:, ([^()]+))?\)")
+"""Where somebody on foot is who is in the ego's lane."""
+_ABOUT = (0.0, 1.7, -1.2, 2.9)
+"""How far to the left of the first [m] others are who are about the road with it: over both lanes, if it has two."""
 _KEEPS_PLACE = re.compile(r"(PaceOnPath\([^,]+, ego, )([^,]+)")
 
 
@@ -133,6 +137,11 @@ class Written:
         limits, along = self.actor.limits, (Facing.ALONG, Facing.AGAINST)
         return max(ON_FOOT, BESIDE + (limits.length if self.actor.one.starts.facing in along else limits.width))
 
+    def _about(self, n: int) -> tuple[float, float]:
+        """Where the n-th of several stands who are about the road on foot: how far on, and how far to the left [m]."""
+        limits = self.actor.limits
+        return n * (max(limits.length, limits.width) + BESIDE), _ABOUT[n % len(_ABOUT)]
+
     @property
     def _away(self) -> str:
         """The sign of who is farther from the ego along its way; behind it, of who is beside it and behind others."""
@@ -173,6 +182,14 @@ class Written:
     def _place(self, n: int) -> tuple[str, str]:
         """Where the n-th of it stands, and which way it faces."""
         stand, one = self.actor.stand, name_of(self.actor.one.id)
+        large = self.actor.limits.length > ON_FOOT
+        if n and large and (about := _IN_LANE.fullmatch(stand.point)) is not None:
+            far, aside = self._about(n)
+            left = f"{about[1]} + {aside:g}" if about[1] else f"{aside:g}"
+            point = f"pointOn(egoRoute, level{{i}} + {far:g}, {left})"
+            return self.actor.filled(point), self.actor.filled(
+                stand.facing.replace("level{i}", f"level{{i}} + {far:g}")
+            )
         if stand.point:
             aside = f" + {self._abreast * ((n + 1) // 2) * (-1 if n % 2 else 1):g}" if n else ""
             point, facing = (text.replace("level{i}", f"level{{i}}{aside}") for text in (stand.point, stand.facing))

@@ -26,7 +26,7 @@ from chatscene.terms.arrays import Array, paces, unwrapped
 from chatscene.terms.episode import Episode, Track
 from chatscene.terms.polyline import Polyline
 from chatscene.terms.route import Route
-from chatscene.terms.situation import Other, Situation
+from chatscene.terms.situation import EGO, Other, Situation
 from chatscene.terms.vocabulary import LOSES, PLAIN, Act, Heads, Striker, Tempo, Where, acts_of
 
 LONGEST = 3.0  # [s] at most between the two at a place, or until two who both drive on would touch
@@ -92,7 +92,8 @@ def encounter(
     if math.isinf(least.between) and (kept := _not_steered(ego, route.line)) is not None:
         way = way_of(kept, route.line)
         least = min((meeting(kept, way, track, episode.dt, since) for track in later), key=_between)
-    if not _must_meet(situation, one, ego, way, tracks[0], least, route):
+    passes = _passes_who_stands(one, ego, since) and not _touches(situation, one)
+    if passes or not _must_meet(situation, one, ego, way, tracks[0], least, route):
         return None
     if least.between <= (TOGETHER if least.ego_first else BEFORE):
         told = f"they could meet: {least.between:.1f} s between one and the other"
@@ -163,12 +164,23 @@ def _not_steered(ego: Track, line: Polyline) -> Track | None:
     return replace(ego, x=x, y=y, heading=unwrapped(line.headings_at(along)))
 
 
+def _passes_who_stands(one: Other, ego: Track, since: int) -> bool:
+    """Whether somebody passes an ego that stands then: it need not come into the ego's way for that."""
+    passes = any(deed.act in acts_of(Heads.BY) and deed.done_to == EGO for deed in one.does)
+    return passes and abs(float(ego.speed[min(since, len(ego.speed) - 1)])) < STANDING
+
+
+def _touches(situation: Situation, one: Other) -> bool:
+    """Whether it was said that the ego touches somebody, or just does not."""
+    contact = situation.contact
+    return contact is not None and one.id == (contact.whom or situation.adversaries[0].id)
+
+
 def _must_meet(
     situation: Situation, one: Other, ego: Track, way: Way, track: Track, found: Meeting, route: Route
 ) -> bool:
     """Whether what was said asks for an encounter, as `encounter` has it."""
-    contact = situation.contact
-    if contact is not None and one.id == (contact.whom or situation.adversaries[0].id):
+    if _touches(situation, one):
         return True
     acts = {deed.act for deed in one.does}
     if acts & LETS_BY:

@@ -17,12 +17,14 @@ from chatscene.program.watching import Seen
 from chatscene.simulate.boxes import Boxes
 from chatscene.terms.arrays import Array
 from chatscene.terms.episode import Track
-from chatscene.terms.situation import EGO, Deed, Other
+from chatscene.terms.situation import EGO, Deed, Other, Situation
 from chatscene.terms.vocabulary import (
     ASIDE,
     COMES_IN,
     COMES_OVER,
     LETS_GO,
+    LOSES,
+    SLOWS,
     SWINGS,
     Heads,
     Tempo,
@@ -36,6 +38,10 @@ ENDS = acts_of(Tempo.HALTS, Tempo.LIES)
 """What tells once it is done: somebody stands or lies then. All else tells as it begins."""
 PASSES = acts_of(Tempo.WAITS, Heads.BY, Heads.LEVEL, Heads.BEHIND, Heads.CLOSE, Heads.OUT, Heads.OFF, Heads.EDGE)
 """What is done from behind, or to let the ego by."""
+ANSWERS = SLOWS | ASIDE
+"""What somebody does for what is before it."""
+ANSWERED = COMES | LOSES | acts_of(Tempo.LIES, Tempo.BACKS, Heads.OUT)
+"""What is answered so."""
 FOLLOWS = frozenset((Where.BEHIND, Where.BEHIND_BESIDE))
 """Places from which somebody acts behind the ego."""
 
@@ -64,6 +70,41 @@ def gone_by(one: Other, seen: Seen, done: Mapping[str, Act]) -> Finding | None:
             late = Late(seconds=(step - since) * seen.dt, metres=-float(by[step]))
             told = f"the ego has gone by {late.seconds:.1f} s before it does its {deed.act}"
             return Finding(path=f"encounter.{one.id}", shown=False, told=told, at=step * seen.dt, late=late)
+    return None
+
+
+def has_passed(
+    situation: Situation, one: Other, seen: Seen, done: Mapping[str, Act], others: Mapping[str, Seen]
+) -> Finding | None:
+    """That somebody has passed another by when it slows or swerves for what that one does; None if it has not.
+
+    It answers what is before it. Who was behind it, or beside it from the first, is no matter.
+
+    Args:
+        situation: What was said.
+        one: Who.
+        seen: What is seen of it.
+        done: When others did each of their deeds, by the name and the number of the deed.
+        others: What is seen of all others, by ids.
+    """
+    for k, deed in enumerate(one.does):
+        once = done.get(f"{one.id}.{k}")
+        if once is None or deed.act not in ANSWERS or deed.when is None:
+            continue
+        for reference in (deed.when.after, deed.when.during):
+            who = (reference or "").partition(".")[0]
+            if reference is None or who == one.id or situation.deed(reference).act not in ANSWERED:
+                continue
+            track = seen.ego if who == EGO else others[who].track if who in others else None
+            by = None if track is None else past(seen.track, track)
+            if track is None or by is None:
+                continue
+            if by[0] < -(seen.track.length + track.length) and by[once.began] > 0.0:  # all of it was before it
+                since = once.began - int(np.argmax(by[once.began :: -1] <= 0.0))
+                late = Late(seconds=(once.began - since) * seen.dt, metres=float(by[once.began]))
+                whom = "the ego" if who == EGO else who
+                told = f"it has passed {whom} {late.seconds:.1f} s before it does its {deed.act} for that"
+                return Finding(path=f"encounter.{one.id}", shown=False, told=told, at=once.began * seen.dt, late=late)
     return None
 
 

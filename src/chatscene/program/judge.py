@@ -32,7 +32,7 @@ from chatscene.program.doing import (
 )
 from chatscene.program.encounter import encounter
 from chatscene.program.finding import Finding, failures, not_judged
-from chatscene.program.gone_by import gone_by
+from chatscene.program.gone_by import gone_by, has_passed
 from chatscene.program.lateral import is_aside, of_lateral
 from chatscene.program.meaning import TOGETHER, in_between, left_of_ego
 from chatscene.program.measured import SLACK, SLACK_LENGTH, SLACK_SPEED, Yardstick, held_at_most
@@ -214,7 +214,8 @@ class _Judge:
             seen = self.seen.get(one.id)
             if seen is None or one.role is Role.HIDES:
                 continue
-            if (late := gone_by(one, seen, done)) is not None:
+            late = gone_by(one, seen, done) or has_passed(self.situation, one, seen, done, self.seen)
+            if late is not None:
                 yield late
             elif one.role is Role.ADVERSARY:
                 began = [

@@ -49,7 +49,7 @@ Rules:
   on foot at the roadside (at a crosswalk: crossing), who pulls out at the kerb, who passes on a side behind-beside.
 - An unsignalised junction for which no sign is told: control none. A guard's stop paddle: a crosswalk.
 - contact: only if the text says how they touch (bumper or bonnet: front; boot: rear; door: left or right), or, with
-  happens false, that they do not: no contact, missed, stopped in time.
+  happens false, that they do not: near miss, no contact, stopped in time.
 - Amounts are texts with a unit and no "about": "50 km/h", "10 to 20 m", "4 m/s²", "20 km/h more than the ego".
 - evidence.quoted: the words behind every fact, copied exactly from the text."""
 
