@@ -186,6 +186,14 @@ def test_nobody_in_a_driveway_begins_with_its_nose_in_the_lane() -> None:
     assert least > 0.5 * UserKind.TRUCK.row.body.row.limits.length
 
 
+def test_who_backs_out_of_a_bay_of_a_car_park_stands_all_in_it() -> None:
+    out = {"id": "A", "kind": "car", "starts": {"where": "driveway", "side": "right"}, "does": [{"act": "reverse"}]}
+    built = made(out, ego={"speed": "10 km/h"}, road={"kind": "parking-lot"})
+    (x,) = (one for one in built.program.parameters if one.name == "OPT_A_X")
+    assert x.low - 0.5 * UserKind.CAR.row.body.row.limits.length == pytest.approx(0.1)
+    assert x.high < 3.0
+
+
 def test_a_hedge_that_hides_who_comes_out_of_a_driveway_stands_along_that() -> None:
     out = {"id": "A", "kind": "truck", "starts": {"where": "driveway", "side": "right"}, "hidden_by": "B"}
     hedge = {"id": "B", "kind": "hedge", "role": "hides", "starts": {"where": "roadside", "side": "right"}}

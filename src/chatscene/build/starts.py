@@ -34,6 +34,7 @@ from chatscene.build.place import (
     at_junction,
     at_roundabout,
     beside_lane,
+    between_bays,
     between_lanes,
     changed_at,
     comes_across,
@@ -363,6 +364,7 @@ LEVEL_FOR = 2.0  # [s] after which who cannot be as fast as the ego has fallen b
 POINTED = 3.5, 4.5  # [m] behind the junction, of whom a point of the ego's width meets: there it has come about
 ON_CROSSWALK = (0.7, 3.3)  # [m] from where a crosswalk begins
 IN_DRIVEWAY = (1.5, 3.5)  # [m] from where a driveway begins
+IN_BAY = (0.1, 0.4)  # [m] outside the lanes is the end of who stands across the way in a bay of a car park
 BEHIND_KERB = 2.0  # [m] farther than at the kerb is who comes out of an alley, on foot or on two wheels
 ABREAST = 0.2  # [m] to either side of where it is, who is in a driveway into which another turns
 BEFORE_DRIVEWAY = (0.0, 2.0)  # [m] from 6 m before one, where who turns into it begins to
@@ -480,7 +482,11 @@ def _beside_road(asked: Asked) -> Stand:
         return comes_by(asked)
     if asked.one.starts.where is Where.DRIVEWAY:  # none of it is in the lane, and who is narrow is not at the kerb
         narrow = asked.walks or not asked.one.kind.row.body.row.motorised
-        asked.numbers.move("X", 0.5 * asked.numbers.row.limits.length + (BEHIND_KERB if narrow else 0.0))
+        half = 0.5 * asked.numbers.row.limits.length
+        if between_bays(asked.found):
+            asked.numbers.narrow("X", *(half + end for end in IN_BAY))
+        else:
+            asked.numbers.move("X", half + (BEHIND_KERB if narrow else 0.0))
     level = _level_of(asked)
     there = f"level{{i}}{asked.more}"
     point = f'besideRoad(egoRoute, {there}, "{asked.side}", $X)'
