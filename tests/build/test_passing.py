@@ -185,3 +185,17 @@ def test_who_goes_along_behind_an_ego_that_has_to_stop_stops_behind_it():
     for seed in range(3):
         episode, _ = driven(others, seed, ego={"does": [{"act": "follow", "whom": "A"}]})
         assert episode.collision is None
+
+
+def test_who_stands_behind_an_ego_that_stands_sets_off_and_goes_round_it() -> None:
+    does = [{"act": "stand"}, {"act": "set-off"}, {"act": "overtake"}]
+    one = {"id": "A", "kind": "pickup", "starts": {"where": "behind", "distance": "7 m"}, "does": does}
+    said = from_plain({"ego": {"does": [{"act": "stand"}]}, "others": [one]})
+    built = build(said)
+    episode = drive(built, seed=1)
+    assert isinstance(episode, Episode), episode
+    ego, other = episode.tracks
+    assert float(ego.speed.max()) < 0.1
+    assert float(other.speed[5]) < 0.1
+    assert float(np.hypot(other.x[-1] - other.x[0], other.y[-1] - other.y[0])) > 20.0
+    assert not episode.events

@@ -22,6 +22,7 @@ from chatscene.build.deeds import (
     LOSES_SLOWLY,
     OFF,
     OFF_BY_RAMP,
+    SETS_OFF_BEHIND,
     SHIES,
     SLIDES,
     STEPS_BACK,
@@ -138,6 +139,8 @@ def _table(actor: Actor, k: int) -> Iterator[tuple[Act, Steps]]:
     if where is Where.BEHIND and deed.act in GOES_ON and follows and not _goes_by_itself(actor, deed):
         said = any(one.speed is not None for one in actor.deeds) or actor.one.starts.speed is not None
         yield deed.act, AS_FAST_BEHIND if said else BEHIND_ANOTHER  # or it would run into the ego
+    if deed.act is Act.SET_OFF and actor.stand.behind and actor.ego.stands and k + 1 < len(actor.deeds):
+        yield Act.SET_OFF, SETS_OFF_BEHIND  # or it would run into the ego, which stands
     if deed.act is Act.OVERTAKE and along:
         yield from _overtaking(actor, deed)
     if meets is Meets.TOWARD:

@@ -455,6 +455,10 @@ def yielding_to(name: str, *, against: bool = False, through: bool = False) -> S
     return Steps(does=(BRAKES, *by), last=(BRAKES, *by, GO), still=True, going=True, pace=Pace.STANDS)
 
 
+SETS_OFF_BEHIND = Steps(does=(GO + " until self.pose[3] > 1",), last=(GO,), binds={"speed": "SPEED"})
+"""Of somebody who sets off behind an ego that stands, and then does something else: it is under way at once."""
+
+
 def lets_by(name: str) -> Steps:
     """How somebody who heads over the road lets another by: it stands until that is level with it, and past."""
     past = (

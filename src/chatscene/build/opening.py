@@ -47,6 +47,7 @@ STANDS = 0.6  # [s]: who stands so long before it sets off is seen to stand
 GIVES_WAY = 1.0  # [m/s]: an ego that goes no faster yields
 KEEPS_UP = 2.0  # [m/s] that somebody goes at least who goes with an ego that is faster
 _GOES_THROUGH = acts_of(Heads.THROUGH, Heads.TURNS, Heads.IN)
+LOSES_PATIENCE = 2.0  # [s] longer that it waits behind an ego that stands
 SHORT = 25.0  # [m] before the end of a road, or before a junction: nobody is placed farther
 
 
@@ -83,6 +84,9 @@ class Opening(UnderWay):
             return  # it stands so long, or goes on until then, from the beginning
         if stands_first(actor.one):
             yield f"{waits} for {STANDS:g} seconds"
+            if actor.ego.stands and actor.stand.behind:  # both stand, so nobody comes whom it could wait for
+                yield f"{waits} for {LOSES_PATIENCE:g} seconds"
+                return
         yield from self._goes_on(waits, soon=soon)
         yield from self._comes_to_meet()
 
