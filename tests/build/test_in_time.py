@@ -228,3 +228,17 @@ def test_who_stood_ahead_and_speeds_away_is_slow_yet_when_the_ego_closes_in() ->
     gap = np.hypot(other.x[:steps] - ego.x[:steps], other.y[:steps] - ego.y[:steps])
     assert float(gap.min()) < 50.0
     assert float(other.speed[int(gap.argmin())]) < 45 / 3.6
+
+
+def test_who_leads_a_row_is_before_all_of_it() -> None:
+    follows = {"id": "C", "kind": "car", "count": 4, "starts": {"where": "ahead"}, "does": [deed("follow", whom="B")]}
+    leads = {"id": "B", "kind": "truck", "starts": {"where": "ahead"}, "does": [deed("go-along")]}
+    supporting = [one | {"role": "supporting"} for one in (leads, follows)]
+    meets = {"id": "A", "kind": "pedestrian", "starts": {"where": "roadside"}, "does": [deed("cross")]}
+    assert isinstance(drive(build(from_plain({"others": [meets, *supporting]})), seed=1), Episode)
+
+
+def test_who_crosses_at_a_crosswalk_is_held_to_it() -> None:
+    one = {"id": "A", "kind": "child", "starts": {"where": "crossing"}, "does": [deed("cross")]}
+    built = build(from_plain({"road": {"has": ["crosswalk"]}, "others": [one]}))
+    assert "OPT_A_Y" in built.bound

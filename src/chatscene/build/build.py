@@ -36,7 +36,7 @@ from chatscene.build.run_up import run_up
 from chatscene.build.screening import from_its_lane
 from chatscene.build.standing_before import beyond_another, in_queue, parts_backed_into
 from chatscene.build.towards import at_distance, in_one_row, in_rows, passes, room_kept, screens
-from chatscene.build.written import Written
+from chatscene.build.written import ON_FOOT, Written
 from chatscene.errors import MapError, NoSuchPlace, NoSuchRoad, NotBuilt, NothingBuilds, RoadTooShort
 from chatscene.maps.left_hand import keeps_left
 from chatscene.maps.network import resolve_map
@@ -369,10 +369,11 @@ def _everybody(ledger: Ledger, found: Found, ego: BuiltEgo) -> list[tuple[Actor,
         actor = Actor(ledger, found, one, met_by(one.id, ego.coming, ego.orders), room, first)
         built[one.id] = actor
         if hidden is None and anchors.get(one.id) is None and not before:
+            across, more = actor.stand.meets is Meets.ACROSS, actor.count - 1
             abreast = 1.5 if one.hidden_by is not None else 2.5  # from the same gap
-            long = abreast if actor.stand.meets is Meets.ACROSS else actor.count * apart
+            long = abreast + 0.5 * more * ON_FOOT if across else actor.count * apart
             long += leaves_row(actor)
-            rows[place], latest[place] = (first or actor, room + long), (one, room)
+            rows[place], latest[place] = (first or actor, room + long), (one, room + (0.0 if across else more * apart))
         order.append((actor, built[hidden] if hidden is not None else None))
     set_in_order([actor for actor, _ in order])
     return order

@@ -432,8 +432,13 @@ def _level_beside(asked: Asked) -> tuple[float, float]:
 
 
 def _level_of(asked: Asked) -> str:
-    """Where along the ego's way somebody beside the road is: at a crosswalk, at rails, or anywhere."""
+    """Where along the ego's way somebody beside the road is: at a crosswalk, at rails, or anywhere.
+
+    Nobody is shifted from the place that was said.
+    """
     where = asked.one.starts.where
+    if where is Where.CROSSING or _walks_at_crosswalk(asked):
+        asked.numbers.held.add("Y")
     if where is Where.EXIT_CROSSING:
         contact = asked.situation.contact
         pointed = contact is not None and contact.at is not None and contact.whom in (None, asked.one.id)
