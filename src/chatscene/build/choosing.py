@@ -135,18 +135,24 @@ def _table(actor: Actor, k: int) -> Iterator[tuple[Act, Steps]]:
         turn = way_to_turn_round(actor, k)
         speed = 0.0 if deed.speed is not None else math.sqrt(TURNS_AT * turn.radius)
         yield Act.U_TURN, turning_round(turn.radius, speed, first=turn.first, back=turn.back)
+    yield from _behind_who_stands(actor, k)
     follows = actor.stand.behind and not actor.stand.rolls and not touches(actor.ledger.situation, actor.one)
     if where is Where.BEHIND and deed.act in GOES_ON and follows and not _goes_by_itself(actor, deed):
         said = any(one.speed is not None for one in actor.deeds) or actor.one.starts.speed is not None
         yield deed.act, AS_FAST_BEHIND if said else BEHIND_ANOTHER  # or it would run into the ego
-    if deed.act is Act.SET_OFF and actor.stand.behind and actor.ego.stands and k + 1 < len(actor.deeds):
-        yield Act.SET_OFF, SETS_OFF_BEHIND  # or it would run into the ego, which stands
     if deed.act is Act.OVERTAKE and along:
         yield from _overtaking(actor, deed)
     if meets is Meets.TOWARD:
         yield from _toward(actor, k)
     if done_to(deed) != EGO:
         yield from _to_another(actor, k)
+
+
+def _behind_who_stands(actor: Actor, k: int) -> Iterator[tuple[Act, Steps]]:
+    """The row of who sets off behind an ego that stands, and then goes round it: or it would run into that."""
+    sets_off = actor.deeds[k].act is Act.SET_OFF and k + 1 < len(actor.deeds)
+    if sets_off and actor.stand.behind and actor.ego.stands:
+        yield Act.SET_OFF, SETS_OFF_BEHIND
 
 
 def _off_the_road(actor: Actor, k: int) -> Iterator[tuple[Act, Steps]]:

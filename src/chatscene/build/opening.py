@@ -82,13 +82,18 @@ class Opening(UnderWay):
             self._roll_up()
         if (deed.act is Act.STAND and deed.time is not None) or goes_until_ego_slows(actor, self.first):
             return  # it stands so long, or goes on until then, from the beginning
-        if stands_first(actor.one):
-            yield f"{waits} for {STANDS:g} seconds"
-            if actor.ego.stands and actor.stand.behind:  # both stand, so nobody comes whom it could wait for
-                yield f"{waits} for {LOSES_PATIENCE:g} seconds"
-                return
-        yield from self._goes_on(waits, soon=soon)
-        yield from self._comes_to_meet()
+        yield from self._is_due(waits, soon=soon)
+
+    def _is_due(self, waits: str, *, soon: bool) -> Iterator[str]:
+        """It stands if it does so at first, and goes on until its deed is due, if anybody comes for it."""
+        both_stand = (
+            stands_first(self.phases.actor.one) and self.phases.actor.ego.stands and self.phases.actor.stand.behind
+        )
+        if stands_first(self.phases.actor.one):
+            yield f"{waits} for {STANDS + (LOSES_PATIENCE if both_stand else 0.0):g} seconds"
+        if not both_stand:
+            yield from self._goes_on(waits, soon=soon)
+            yield from self._comes_to_meet()
 
     def _check_in_time(self) -> None:
         """Hold that who sets out once the ego is so near can still be in its way.

@@ -59,9 +59,11 @@ def gone_by(one: Other, seen: Seen, done: Mapping[str, Act]) -> Finding | None:
     by = past(seen.ego, seen.track)
     for k, deed in enumerate(one.does):
         once = done.get(f"{one.id}.{k}")
-        goes_on = (
-            deed.act in acts_of(Tempo.SETS_OFF) and deed.when is None and any(was.act in ENDS for was in one.does[:k])
-        )
+        before = [was.act for was in one.does[:k] if deed.when is None]
+        goes_on = deed.act in acts_of(Tempo.SETS_OFF) and any(act in ENDS for act in before)
+        goes_on = goes_on or any(
+            act in acts_of(Tempo.WAITS) for act in before
+        )  # which it does once it has let the ego by
         if once is None or goes_on or not _is_for_ego(one, deed):
             continue
         step = _tells(deed, once, seen)
