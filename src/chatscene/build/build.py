@@ -15,6 +15,7 @@ from chatscene.build.asked import ROOM, SOME, Meets, between, passes_with, stand
 from chatscene.build.awaiting import in_phases, met_by
 from chatscene.build.backing import check_met
 from chatscene.build.bays import out_of_bay
+from chatscene.build.brushed import parts_brushed
 from chatscene.build.coming import speeds_to_try, wanted_by
 from chatscene.build.contact import at_a_corner, parts_in_line
 from chatscene.build.ego import BuiltEgo, ego_of, ordered
@@ -228,7 +229,7 @@ def _built(said: Ledger, usual: float, name: str) -> Built:
     contact = situation.contact
     if contact is not None and (not contact.happens or contact.whom in {one.id for one in situation.adversaries}):
         ledger.take("contact.whom")  # a drive in which the ego touches nobody shows that it does not touch that one
-    ledger.take(*parts_in_line(situation), *parts_backed_into(situation))
+    ledger.take(*parts_in_line(situation), *parts_backed_into(situation), *parts_brushed(situation))
     if contact is not None and not contact.happens:  # drives without a contact are those that are kept
         ledger.take("contact.happens")
     declared = [f"param {one.name} = Range({one.low}, {one.high})" for one in numbers]

@@ -17,6 +17,7 @@ from chatscene.build.arriving import (
 )
 from chatscene.build.asked import ROOM, Asked, Meets, Stand, bolts, goes_slowly, stands_first, stops_ahead
 from chatscene.build.backing import comes_by, out_of, parked_beside
+from chatscene.build.brushed import brushed
 from chatscene.build.contact import comes_to_stand, is_held_up, strikes_from_behind, touches
 from chatscene.build.cutting_in import begins_beside, room_to_avoid
 from chatscene.build.doors import opens_in_lane, stands_in_lane
@@ -640,4 +641,6 @@ def start_of(asked: Asked) -> Stand:
     if where not in STARTS:
         near = f"; the nearest is {NEAREST[where]}" if where in NEAREST else ""
         raise NothingBuilds(f"cannot be built yet: others.{asked.one.id}.starts.where: {where}{near}")
+    if (there := brushed(asked)) is not None:
+        return there
     return turned(asked, stands_in_lane(asked) if opens_in_lane(asked) else STARTS[where](asked))

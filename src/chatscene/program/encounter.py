@@ -27,13 +27,17 @@ from chatscene.terms.episode import Episode, Track
 from chatscene.terms.polyline import Polyline
 from chatscene.terms.route import Route
 from chatscene.terms.situation import EGO, Other, Situation
-from chatscene.terms.vocabulary import LOSES, PLAIN, Act, Heads, Striker, Tempo, Where, acts_of
+from chatscene.terms.vocabulary import LOSES, PLAIN, SIDES_OF, Act, Heads, Striker, Tempo, Where, acts_of
 
 LONGEST = 3.0  # [s] at most between the two at a place, or until two who both drive on would touch
 EVERY = 1.0  # [s] after which an ego that goes on evenly is followed anew
 BEFORE = 1.5  # [s] at most by which somebody is there before the ego and still meets it: the usual bound of a conflict
 NEAR = 1.0  # [m] between two bodies that meet, once somebody has begun with what it does
 CLOSES = 0.3  # [m/s] by which somebody comes up to an ego that it is to run into
+COMES_TO = 6.0  # [m] from what it is to brush, an ego at least comes that then brakes or steers
+BRUSHES = 0.5  # [m] at most beside the ego's way is what it is to brush
+BRUSHED = frozenset((Where.KERB, Where.ROADSIDE, Where.MEDIAN, Where.BESIDE))
+"""Where what the ego brushes with its side stands."""
 BACKS_TO = 2.0  # [m] from the ego at most, who is to back into it
 ASIDE = 1.0  # [m] beside its route an ego is that steers round somebody
 TO_COME = 150.0  # [m] that somebody may still have to come to where the ways meet at a junction
@@ -85,8 +89,8 @@ def encounter(
     path, crash, ego = f"encounter.{one.id}", episode.collision, episode.ego_track
     if crash is not None and is_with(crash.other, one.id):
         return Finding(path=path, shown=True, told="they touch", at=crash.step * episode.dt)
-    if (told := _never_strikes(situation, one, ego, tracks[0])) is not None:
-        return Finding(path=path, shown=None if crash is not None else False, told=told)
+    if (struck := _as_said(situation, one, ego, tracks, route)) is not None:
+        return replace(struck, path=path, shown=struck.shown or (None if crash is not None else False))
     way, later = way_of(ego, route.line), [_goes_on_evenly(track, episode) for track in tracks]
     least = min((meeting(ego, way, track, episode.dt, since) for track in later), key=_between)
     if math.isinf(least.between) and (kept := _not_steered(ego, route.line)) is not None:
@@ -108,6 +112,25 @@ def encounter(
     told = f"they could not meet: {told}, and never nearer than {gap:.1f} m"
     late = _late(least, ego, tracks[0], since)
     return Finding(path=path, shown=None if crash is not None else False, told=told, late=late)
+
+
+def _as_said(situation: Situation, one: Other, ego: Track, tracks: Sequence[Track], route: Route) -> Finding | None:
+    """Whether two could touch as was said, where that says more than that they meet; None where it does not."""
+    if (told := _never_strikes(situation, one, ego, tracks[0])) is not None:
+        return Finding(path="", shown=False, told=told)
+    return _brushes(situation, one, ego, tracks, route)
+
+
+def _least(ego: Track, track: Track, steps: int) -> float:
+    """The least gap [m] between two in so many steps."""
+    return float(gaps(ego, track)[:steps].min())
+
+
+def _stands_all_along(track: Track, steps: int) -> Track:
+    """Who stands where it does at first, for so many steps."""
+    ones = np.ones(steps)
+    x, y, heading = (value[0] * ones for value in (track.x, track.y, track.heading))
+    return replace(track, x=x, y=y, heading=heading, speed=0.0 * ones)
 
 
 def _never_strikes(situation: Situation, one: Other, ego: Track, track: Track) -> str | None:
@@ -135,6 +158,30 @@ def _never_strikes(situation: Situation, one: Other, ego: Track, track: Track) -
         nearest = f"it is {backing.min():.1f} m from it" if backing.size else "it never backs"
         return f"it is to back into the ego, and {nearest}"
     return None
+
+
+def _brushes(situation: Situation, one: Other, ego: Track, tracks: Sequence[Track], route: Route) -> Finding | None:
+    """Whether the way of an ego that is to brush, with its side, who stands or lies there leads so near past that.
+
+    None where no such thing was said.
+    """
+    contact = situation.contact
+    if contact is None or not contact.happens or contact.striker is not Striker.EGO or contact.ego is None:
+        return None
+    sides, stands = SIDES_OF[contact.ego], all(deed.act is Act.STAND for deed in one.does)
+    met = one.id == (contact.whom or situation.adversaries[0].id)
+    if not (met and stands) or not {"left", "right"} & set(sides) or one.starts.where not in BRUSHED:
+        return None
+    along = np.arange(0.0, route.line.length, BRUSHES)
+    x, y = route.line.points_at(along).T
+    heading, still = route.line.headings_at(along), np.zeros_like(along)
+    kept = replace(ego, x=x, y=y, heading=heading, speed=still)
+    own = min(_least(ego, track, len(track.x)) for track in tracks)
+    if own > COMES_TO:
+        return Finding(path="", shown=False, told=f"the ego comes no nearer than {own:.1f} m to what it is to brush")
+    gap = min(own, *(_least(kept, _stands_all_along(track, len(along)), len(along)) for track in tracks))
+    told = f"the ego's way leads past it at {gap:.1f} m"
+    return Finding(path="", shown=gap <= BRUSHES, told=told)
 
 
 def _late(meets: Meeting, ego: Track, track: Track, since: int) -> Late | None:
