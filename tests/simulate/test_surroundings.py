@@ -241,7 +241,7 @@ def test_a_run_keeps_its_surroundings_and_a_replay_has_the_same(folder: Path) ->
 
 def test_a_report_says_what_surrounds_its_scenes_and_what_that_means(folder: Path) -> None:
     report = (folder / "report.html").read_text()
-    assert "night, wet road: the road limits braking" in report
+    assert "night, wet road: the road limits what tyres brake" in report
     assert "nothing to an ego that sees four numbers" in report
 
 

@@ -263,3 +263,14 @@ def test_who_brakes_hard_for_a_moment_alone_is_said_to_do_so_for_a_moment(tmp_pa
     lines = told_by(tmp_path / "dab.csv", along(0.0, 0.0), A=dabs)
     (gentle,) = [line for line in lines if "the car loses speed gently (slow-down)" in line]
     assert "m/s² for a moment" in gentle
+
+
+def test_how_hard_speed_is_gained_is_no_dab_of_the_brake_within_it(tmp_path: Path) -> None:
+    def gains(now: float) -> State:
+        dab = 0.8 * max(0.0, 1.0 - (now - 4.0) / 2.0) if now >= 4.0 else 0.0
+        return 10.0 * now, 0.0, 0.0, 5.0 + 2.0 * min(max(now - 2.0, 0.0), 5.0) - dab
+
+    (gained,) = [line for line in told_by(tmp_path / "drive.csv", gains) if "(accelerate)" in line]
+    assert "from 18 km/h to 54 km/h" in gained
+    peak = float(gained.rpartition("at up to ")[2].partition(" m/s²")[0])
+    assert peak == pytest.approx(2.4, abs=0.1)

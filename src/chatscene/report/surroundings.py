@@ -12,7 +12,9 @@ def surroundings_in_words(around: Surroundings) -> str:
         return ""
     changes: list[str] = []
     if around.surface.row.friction < 1.0:
-        changes.append(f"the road limits braking, steering and acceleration to {around.grip:.1f} m/s²")
+        changes.append(
+            f"the road limits what tyres brake, steer and accelerate by to {around.grip:.1f} m/s²; drag adds to braking"
+        )
     lit, unlit = around.sight(lit=True), around.sight(lit=False)
     if unlit < RANGE:
         who = "others are" if lit < RANGE else "who carries no lamps is"

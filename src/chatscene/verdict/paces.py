@@ -36,7 +36,8 @@ def paces(who: str, seen: Seen) -> Iterator[Told]:
 
 def _pace(who: str, act: Act, seen: Seen, speed: Array, steps: Steps) -> Told:
     first, last = steps
-    hardest = float(np.abs(np.diff(speed[first : last + 1])).max()) / seen.dt
+    way = 1.0 if speed[last] > speed[first] else -1.0
+    hardest = float((way * np.diff(speed[first : last + 1])).max()) / seen.dt
     ends = " and stops" if speed[last] < STANDING else ""
     fast = f"from {in_kmh(float(speed[first]))} to {in_kmh(float(speed[last]))}{ends}"
     begins, done = _without_level(speed, steps)
