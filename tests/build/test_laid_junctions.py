@@ -5,14 +5,18 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Any
 
+import numpy as np
 import pytest
+from test_building import drive
 
+from benchmarks.differing import differences
 from chatscene.build.arms import meets
 from chatscene.build.build import Built, build
 from chatscene.errors import NotBuilt, SituationError
 from chatscene.maps.road_spec import Meets
 from chatscene.situations.form import from_plain
 from chatscene.situations.words import told
+from chatscene.terms.episode import Episode
 
 
 def said(where: str, *does: Any, road: dict[str, Any], ego: dict[str, Any] | None = None, **start: Any) -> Any:
@@ -130,3 +134,31 @@ def test_arms_size_and_exit_are_told_in_words() -> None:
     assert "We take the second exit. Three roads meet there, and it is 30 m across." in words
     t = told(said("ahead", "brake", road={"kind": "three-way", "side_road": "left"}))
     assert "There is a side road on our left." in t
+
+
+def test_who_goes_round_beside_the_ego_is_beside_it_where_that_leaves_over_its_way() -> None:
+    road = {"kind": "roundabout", "lanes": 2, "ego_lane": 2}
+    one = said("beside", "go-along", road=road, ego={"exit": 3, "speed": "28 km/h"}, side="right")
+    episode = drive(build(one))
+    assert isinstance(episode, Episode)
+    assert episode.stepped.by == "native", episode.stepped.instead
+    ego, other = episode.ego_track, next(track for track in episode.tracks if track.actor == "A")
+    apart = np.hypot(other.x - ego.x, other.y - ego.y)
+    leaves = int(np.argmax(np.unwrap(ego.heading)))  # it has turned left all the way round, and turns right from now on
+    assert np.all(apart[: leaves + 1] < 8.0)
+    assert leaves * episode.dt > 10.0
+
+
+def test_each_shape_is_driven_alike_by_the_native_engine_and_the_embedded_one() -> None:
+    for road, ego, start in (
+        ({"kind": "mini-roundabout"}, {"exit": 4}, {"where": "roundabout-entry"}),
+        ({"kind": "roundabout", "arms": 5, "diameter": "36 m"}, {"exit": 3}, {"where": "in-roundabout"}),
+        ({"kind": "fork"}, {"route": "left-turn"}, {"where": "arm", "side": "right"}),
+    ):
+        one = {"id": "A", "kind": "car", "starts": start, "does": [{"act": "go-along"}]}
+        built = build(from_plain({"others": [one], "road": road, "ego": {"speed": "25 km/h", **ego}}))
+        native, embedded = drive(built), drive(built, "embedded")
+        assert isinstance(native, Episode)
+        assert isinstance(embedded, Episode)
+        assert native.stepped.by == "native", native.stepped.instead
+        assert differences(native, embedded) == []

@@ -15,6 +15,7 @@ from chatscene.build.facing import said_anyway
 from chatscene.build.flank import set_level
 from chatscene.build.gaps import set_room
 from chatscene.build.heeding import heeds
+from chatscene.build.in_ring import set_round
 from chatscene.build.lateral import placed
 from chatscene.build.ledger import Ledger
 from chatscene.build.naming import name_of
@@ -102,6 +103,7 @@ class Actor:
         if chosen:
             self.ledger.assume(chosen)
         set_pace(self)
+        set_round(self)
         set_room(self)
         set_level(self)
         self.named = {}

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 
 from chatscene.build.alongside import goes_on_beside, until_it_comes
@@ -16,6 +16,7 @@ from chatscene.build.deeds import GO, MOVE
 from chatscene.build.gaps import seconds_to_get_ahead
 from chatscene.build.halting import halts_at
 from chatscene.build.hurrying import begins_nearer, goes_faster
+from chatscene.build.in_ring import goes_round_beside, until_it_leaves
 from chatscene.build.naming import name_of
 from chatscene.build.paces import CRAWLS, Pace, keeps_distance, slowest_with_ego
 from chatscene.build.place import LANE, at_junction, room_against
@@ -70,8 +71,8 @@ class Opening(UnderWay):
             self._check_in_time()
             if when.ego_within is not None or when.delay is not None or actor.stand.ego_meets == "egoRoute.eventAt":
                 return
-        if goes_on_beside(actor) and actor.one.role is Role.ADVERSARY and when is None:
-            yield from (text.replace("SPEED", self._speed()) for text in until_it_comes(actor))
+        if (beside := self._goes_beside()) is not None:
+            yield from beside
             return
         lasting = all(one.lasting for one in steps)
         if (lasting or self._only_waits()) and (actor.stand.meets is Meets.ALONG or self._goes_along()):
@@ -94,6 +95,15 @@ class Opening(UnderWay):
         if not both_stand:
             yield from self._goes_on(waits, soon=soon)
             yield from self._comes_to_meet()
+
+    def _goes_beside(self) -> Iterable[str] | None:
+        """What is done by who goes along beside an ego that comes over its way; None of anybody else."""
+        actor = self.phases.actor
+        if goes_round_beside(actor):
+            return (until_it_leaves(actor),)
+        if goes_on_beside(actor) and actor.one.role is Role.ADVERSARY and actor.deeds[self.first].when is None:
+            return (text.replace("SPEED", self._speed()) for text in until_it_comes(actor))
+        return None
 
     def _check_in_time(self) -> None:
         """Hold that who sets out once the ego is so near can still be in its way.

@@ -87,7 +87,7 @@ class Written:
             yield f"next{one} = {self._next()}"
         if f"ours{one}" in body:
             yield f"ours{one} = against(ownLane(egoRoute))"
-        if f"exit{one}" in body:
+        if re.search(rf"\bexit{one}\b", body):
             yield f"exit{one} = offRamp(egoRoute)"
         if f"off{one}" in body:
             yield f'off{one} = wayOff(egoRoute, "{self.actor.named["off"]}")'

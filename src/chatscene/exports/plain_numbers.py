@@ -145,7 +145,7 @@ class Moving:
 
     def _call(self, function: str, arguments: tuple[Expression, ...], whole: Expression) -> Linear:  # noqa: C901, PLR0911, PLR0912
         match function:
-            case "length" | "eventAt" | "entry":
+            case "length" | "eventAt" | "exitAt" | "entry":
                 return Linear(number(float(self._site.value(whole))))
             case "abs" if self._is_changing_to(arguments[0]):
                 return Linear(number(0.0), {"change": 1.0})

@@ -71,6 +71,7 @@ _ASKED = {
     "brakingDistance": "the braking distance of {0}",
     "length": "the length of {0}",
     "eventAt": "the start of the manoeuvre",
+    "exitAt": "the end of the junction",
     "entry": "the entry of the junction",
     "ownLane": "the ego's first lane",
     "against": "{0} the wrong way",

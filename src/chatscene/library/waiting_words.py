@@ -157,7 +157,7 @@ def _thing(value: Expression) -> str:
             return f"{number:.3g}"
         case Call("progress", (_, actor)):
             return _thing(actor)
-        case Call("eventAt" | "entry" | "ownLane" | "against", _):
+        case Call("eventAt" | "exitAt" | "entry" | "ownLane" | "against", _):
             return in_words(value)
         case _:
             return "that place"

@@ -201,6 +201,7 @@ FUNCTIONS = {function.name: function for function in (
     # What stays as it is
     Function(name="length", form="{}.length", takes=(_A,), gives=_N, unit="m"),
     Function(name="eventAt", form="{}.eventAt", takes=(_P,), gives=_N, unit="m"),
+    Function(name="exitAt", form="{}.exitAt", takes=(_P,), gives=_N, unit="m"),
     Function(name="entry", form="{}.entry", takes=(_P,), gives=_N, unit="m"),
     Function(name="abs", form="abs({})", takes=(_N,), gives=_N),
     Function(name="max", form="max({}, {})", takes=(_N, _N), gives=_N, more=True),

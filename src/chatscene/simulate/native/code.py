@@ -84,6 +84,7 @@ _RELATIONS: dict[str, tuple[str, Callable[[Any, Any], bool]]] = {
 _FIXED: dict[str, Callable[..., Any]] = {
     "length": operator.attrgetter("length"),
     "eventAt": operator.attrgetter("eventAt"),
+    "exitAt": operator.attrgetter("exitAt"),
     "entry": operator.attrgetter("entry"),
     "abs": abs,
     "max": max,
