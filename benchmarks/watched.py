@@ -47,7 +47,7 @@ def _beside_ego(drawing: Mapping[str, Any], ego: Track) -> Iterator[tuple[float,
     x, y, c, s = ego.x[0], ego.y[0], np.cos(ego.heading[0]), np.sin(ego.heading[0])
     across = LineString([(x - WIDE * s, y + WIDE * c), (x + WIDE * s, y - WIDE * c)])
     lines = [(str(one["kind"]), LineString(one["points"])) for one in drawing["lane_boundaries"]]
-    areas = [(name[:-1], Polygon(one[0])) for name in ("shoulders", "sidewalks") for one in drawing[name]]
+    areas = [(name[:-1].replace("_", " "), Polygon(one[0])) for name in _BESIDE for one in drawing.get(name, ())]
     for name, shape in (*lines, *areas):
         for part in get_parts(across.intersection(shape)):
             if not part.is_empty:
@@ -55,9 +55,14 @@ def _beside_ego(drawing: Mapping[str, Any], ego: Track) -> Iterator[tuple[float,
                 yield (part.centroid.y - y) * c - (part.centroid.x - x) * s, name + wide
 
 
+_BESIDE = ("shoulders", "sidewalks", "cycle_lanes", "driveways")
+
+
 def _led_over(drawing: Mapping[str, Any], ego: Track) -> Iterator[tuple[int, str]]:
     way = LineString(np.column_stack((ego.x, ego.y)))
     yield from ((round(way.project(one.centroid)), "a crosswalk") for one in _zebras(drawing, way))
+    rails = (one for rings in drawing.get("rails", ()) if way.intersects(one := Polygon(rings[0])))
+    yield from ((round(way.project(way.intersection(one).centroid)), "a rail") for one in rails)
     for line in drawing["stop_lines"]:
         if way.distance(drawn := LineString(line["points"])) < NEAR:
             yield round(way.project(drawn.centroid)), f"a stop line ({line['control']})"

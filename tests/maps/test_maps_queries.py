@@ -130,6 +130,16 @@ def test_a_crosswalk_is_drawn_as_stripes_across_the_street_and_only_where_there_
     assert "crosswalks" not in map_drawing(NETWORK, NETWORK.intersections[3].polygons.bounds)
 
 
+def test_cycle_lanes_driveways_and_rails_are_drawn_as_what_they_are() -> None:
+    road = load_network(resolve_map("road:1+1,cycle-lane,tram,driveway=right"))
+    drawing = map_drawing(road, (-60.0, -40.0, 60.0, 40.0))
+    assert len(drawing["cycle_lanes"]) == 2
+    assert len(drawing["driveways"]) == 1
+    assert len(drawing["rails"]) == 4  # of a track each way
+    assert "crosswalks" not in drawing
+    assert not {"cycle_lanes", "driveways", "rails"} & map_drawing(NETWORK, (9e3, 9e3, 9.1e3, 9.1e3)).keys()
+
+
 def test_a_drawing_of_nowhere_is_empty() -> None:
     assert not any(map_drawing(NETWORK, (9e3, 9e3, 9.1e3, 9.1e3)).values())
 

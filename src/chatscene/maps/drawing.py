@@ -32,12 +32,12 @@ def map_drawing(network: Any, box: tuple[float, float, float, float]) -> dict[st
     Returns:
         Points are [x, y] in metres, rounded to 1 cm.
 
-        - ``roads``, ``junctions``, ``shoulders``, ``sidewalks``: polygons, each a list of rings, the outer first; a
-          cycle lane is a shoulder, as is a driveway;
+        - ``roads``, ``junctions``, ``shoulders``, ``sidewalks``, and where there are any ``cycle_lanes`` and
+          ``driveways``: polygons, each a list of rings, the outer first;
         - ``lane_boundaries``: ``{"kind": "solid" | "dashed" | "centre", "points": [...]}``, where ``centre``
           parts opposite directions and ``solid`` is the edge of the carriageway;
         - ``stop_lines``: ``{"control": "signal" | "stop-sign", "points": [...]}``;
-        - ``crosswalks``, where there are any: the polygons of their stripes, and of rails.
+        - ``crosswalks`` and ``rails``, where there are any: the polygons of their stripes, and of single rails.
     """
     if network.mirrored:
         west, south, east, north = box
@@ -62,14 +62,16 @@ def _drawn(network: Any, box: tuple[float, float, float, float]) -> dict[str, An
     """The part of a map inside a box, as it was read."""
     frame = shapely.box(*box)
     furniture = furniture_of(network)
-    painted = [stripe for _, area in furniture.crosswalks for stripe in _stripes(area)]
-    stripes = _polygons((*painted, *(rail for _, area, _ in furniture.tracks for rail in _rails(area))), frame)
-    shoulders = (*(shoulder.polygons for shoulder in network.shoulders), *furniture.cycle_lanes.values())
-    driveways = (area for _, area in furniture.driveways)
+    some = {
+        "cycle_lanes": furniture.cycle_lanes.values(),
+        "driveways": (area for _, area in furniture.driveways),
+        "crosswalks": (stripe for _, area in furniture.crosswalks for stripe in _stripes(area)),
+        "rails": (rail for _, area, _ in furniture.tracks for rail in _rails(area)),
+    }
     return {
         "roads": _polygons((road.polygons for road in network.roads), frame),
         "junctions": _polygons((junction.polygons for junction in network.intersections), frame),
-        "shoulders": _polygons((*shoulders, *driveways), frame),
+        "shoulders": _polygons((shoulder.polygons for shoulder in network.shoulders), frame),
         "sidewalks": _polygons((sidewalk.polygons for sidewalk in network.sidewalks), frame),
         "lane_boundaries": [
             {"kind": kind, "points": points} for kind, line in _boundaries(network) for points in _lines(line, frame)
@@ -81,7 +83,7 @@ def _drawn(network: Any, box: tuple[float, float, float, float]) -> dict[str, An
             for line in junction_signals(network, junction.uid)
             if line.control != "none" and frame.contains(shapely.Point(line.x0, line.y0))
         ],
-        **({"crosswalks": stripes} if stripes else {}),
+        **{kind: there for kind, areas in some.items() if (there := _polygons(areas, frame))},
     }
 
 

@@ -23,7 +23,14 @@ SLIT = 1.0  # [m²]; a hole in the road that is smaller is none
 NEAR = 80.0  # [m] width of what is shown around one actor
 
 GROUND, PAINT, CENTRE = "#e9ebe4", "#ffffff", "#f2d27a"
-AREAS = {"sidewalks": "#d9d7cf", "shoulders": "#cfd1cf", "roads": "#c4c8cc", "junctions": "#c4c8cc"}
+AREAS = {
+    "sidewalks": "#d9d7cf",
+    "shoulders": "#cfd1cf",
+    "driveways": "#c4c8cc",
+    "cycle_lanes": "#d9b5a8",
+    "roads": "#c4c8cc",
+    "junctions": "#c4c8cc",
+}
 INK, STAR, STAR_EDGE = "#1c2024", "#ffd23f", "#c23a12"
 ROLES = {
     Role.EGO: "#2a66e0",
@@ -111,7 +118,7 @@ def draw_ground(camera: Camera, drawing: Mapping[str, Any]) -> Image.Image:
         pieces = _dashes(line["points"]) if line["kind"] == "dashed" else [line["points"]]
         for piece in pieces:
             brush.line(camera.points(piece), fill=colour, width=camera.pixels(0.15))
-    for rings in drawing.get("crosswalks", ()):
+    for rings in (*drawing.get("crosswalks", ()), *drawing.get("rails", ())):
         brush.polygon(camera.points(rings[0]), fill=PAINT)
     for line in drawing.get("stop_lines", ()):
         brush.line(camera.points(line["points"]), fill=PAINT, width=camera.pixels(0.4))

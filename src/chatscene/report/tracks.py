@@ -136,7 +136,7 @@ def pack_drawing(drawing: Mapping[str, Any], boxes: Sequence[Box]) -> dict[str, 
     around = shapely.union_all([shapely.box(*box) for box in sorted(set(boxes))])
     packed: dict[str, Any] = {
         kind: [[_pack_line(ring) for ring in area] for area in drawing.get(kind, ()) if _reaches(area[0], around)]
-        for kind in ("sidewalks", "shoulders", "roads", "junctions", "crosswalks")
+        for kind in _AREAS
     }
     packed["lane_boundaries"] = [
         {"kind": line["kind"], "points": _pack_line(line["points"])}
@@ -148,6 +148,9 @@ def pack_drawing(drawing: Mapping[str, Any], boxes: Sequence[Box]) -> dict[str, 
     ]
     packed["routes"] = {name: _pack_line(line) for name, line in drawing.get("routes", {}).items()}
     return packed
+
+
+_AREAS = ("sidewalks", "shoulders", "driveways", "cycle_lanes", "roads", "junctions", "crosswalks", "rails")
 
 
 def _reaches(points: Sequence[Sequence[float]], area: Any) -> bool:

@@ -30,7 +30,10 @@ class _Drawing(BaseModel):
     junctions: _Areas = []
     shoulders: _Areas = []
     sidewalks: _Areas = []
+    cycle_lanes: _Areas = []
+    driveways: _Areas = []
     crosswalks: _Areas = []
+    rails: _Areas = []
     lane_boundaries: list[_Line] = []
     stop_lines: list[_Line] = []
     routes: dict[str, _Points] = {}

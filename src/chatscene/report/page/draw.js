@@ -10,7 +10,7 @@ let colours = {};
 
 function readColours() {
   const style = getComputedStyle(document.documentElement);
-  for (const name of ["ego", "adversary", "background", "occluder", "ground", "sidewalk", "shoulder", "road", "paint", "centre",
+  for (const name of ["ego", "adversary", "background", "occluder", "ground", "sidewalk", "shoulder", "cycle", "road", "paint", "centre",
     "stop", "miss", "route", "label", "green", "yellow", "red", "edge", "card", "ink", "soft", "line", "hit"]) {
     colours[name] = style.getPropertyValue("--" + name).trim();
   }
@@ -59,10 +59,12 @@ function fillAll(areas, colour) {
 function drawMap() {
   fillAll(map.sidewalks, colours.sidewalk);
   fillAll(map.shoulders, colours.shoulder);
+  fillAll(map.driveways, colours.road);
+  fillAll(map.cycleLanes, colours.cycle);
   fillAll(map.roads, colours.road);
   fillAll(map.junctions, colours.road);
   canvas.fillStyle = colours.paint;
-  for (const stripe of map.crosswalks) canvas.fill(stripe);
+  for (const area of [...map.crosswalks, ...map.rails]) canvas.fill(area);
   canvas.lineCap = "butt";
   for (const line of map.lines) {
     canvas.strokeStyle = line.kind === "centre" ? colours.centre : colours.paint;

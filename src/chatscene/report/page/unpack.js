@@ -57,9 +57,12 @@ const unpackActor = (a, count) => ({
 const map = {
   sidewalks: content.map.sidewalks.map(unpackArea),
   shoulders: content.map.shoulders.map(unpackArea),
+  driveways: content.map.driveways.map(unpackArea),
+  cycleLanes: content.map.cycle_lanes.map(unpackArea),
   roads: content.map.roads.map(unpackArea),
   junctions: content.map.junctions.map(unpackArea),
   crosswalks: content.map.crosswalks.map(unpackArea),
+  rails: content.map.rails.map(unpackArea),
   stops: content.map.stop_lines.map(unpackLine),
   lines: content.map.lane_boundaries.map((line) => ({ kind: line.kind, points: unpackLine(line.points) })),
   routes: Object.fromEntries(Object.entries(content.map.routes).map(([name, line]) => [name, unpackLine(line)])),
