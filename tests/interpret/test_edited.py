@@ -117,3 +117,35 @@ def test_edits_add_up_and_an_edit_back_is_what_was() -> None:
 def test_what_changes_nothing_is_refused(edit: str) -> None:
     with pytest.raises(EditRefused):
         edited(said(WALKS), edit)
+
+
+AHEAD = {"id": "A", "kind": "car", "starts": {"where": "ahead", "distance": "30 m"}, "does": [{"act": "brake"}]}
+FOLLOWER = {"id": "B", "kind": "truck", "role": "supporting", "starts": {"where": "behind", "distance": "15 m"}}
+TWO = from_plain({"others": [AHEAD, FOLLOWER | {"does": [{"act": "follow"}]}]})
+
+
+@pytest.mark.parametrize(
+    ("edit", "change"),
+    [
+        ("the car is 40 m ahead of us", ("others.A.starts.distance", "30 m", "40 m")),
+        ("the truck is 25 m behind us", ("others.B.starts.distance", "15 m", "25 m")),
+        ("the lorry is a bus", ("others.B.kind", "truck", "bus")),
+    ],
+)
+def test_an_edit_that_names_somebody_changes_nobody_else_and_not_who_is_the_danger(
+    edit: str, change: tuple[str, object, object]
+) -> None:
+    assert list(edited(TWO, edit).changes) == [change]
+
+
+@pytest.mark.parametrize("edit", ["remove the truck", "Without the lorry."])
+def test_who_is_removed_by_its_noun_is_gone(edit: str) -> None:
+    assert [one.id for one in edited(TWO, edit).after.others] == ["A"]
+
+
+def test_an_edit_that_says_more_than_a_kind_is_not_refused_for_the_kind() -> None:
+    with pytest.raises(EditRefused, match="it is already a car"):
+        edited(TWO, "make it a car")
+    with pytest.raises(EditRefused) as refused:
+        edited(TWO, "the truck is very polite")
+    assert "already" not in str(refused.value)

@@ -15,6 +15,7 @@ from functools import lru_cache
 from itertools import permutations
 
 from chatscene.errors import EditRefused
+from chatscene.read.kinds import is_named
 from chatscene.read.learned.grammar import NAMES
 from chatscene.read.learned.numbers import Form, Found
 from chatscene.read.learned.reader import Way, ways_of, written_of
@@ -108,8 +109,9 @@ def likely_changes(situation: Situation, edit: str) -> tuple[Change, ...]:
     alone, both = (ways_of(written_of(read, PACKAGED)) for read in (telling, whole))
     if min(sum(way.probability for way in ways) for ways in (alone, both)) < EVEN:
         raise EditRefused("this situation is too large to edit in words; change its file, or a fact with --set")
-    was = _shares([(_facts(way, _names(way.situation, situation)), way.probability) for way in alone])
-    shifted = _with_steps(both, situation, whole.text, begins)
+    read_alone = [(_facts(way, _names(way.situation, situation)), way.probability) for way in alone]
+    was = _shares(read_alone)
+    shifted = _of_whom_it_names(_with_steps(both, situation, whole.text, begins), read_alone[0][0], situation, edit)
     now = _shares([(facts, way.probability) for way, facts in shifted.items()])
     found = [
         Change(path, value, was.get(path, {None: 1.0}).get(value, 0.0), share)
@@ -120,6 +122,28 @@ def likely_changes(situation: Situation, edit: str) -> tuple[Change, ...]:
     if any(one.is_meant for one in made):
         _check_amounts(whole, tuple(shifted), begins)
     return made
+
+
+def _of_whom_it_names(ways: dict[Way, Facts], before: Facts, situation: Situation, edit: str) -> dict[Way, Facts]:
+    """The ways to read an edit that change nobody at hand whom it does not name, if it names somebody.
+
+    Raises:
+        EditRefused: Each way changes another.
+    """
+    named = [one for one in situation.others if is_named(one.kind, edit)]
+    stay = tuple(f"others.{one.id}." for one in situation.others if one not in named)
+    if not named or not stay:
+        return ways
+    kept = {path: value for path, value in before.items() if path.startswith(stay)}
+    found = {
+        way: facts
+        for way, facts in ways.items()
+        if {path: value for path, value in facts.items() if path.startswith(stay)} == kept
+    }
+    if not found:
+        whom = " and ".join(one.id for one in named)
+        raise EditRefused(f"not sure what that changes of {whom}; --set a fact, such as others.{named[0].id}.kind=bus")
+    return found
 
 
 def _told(situation: Situation) -> str:
