@@ -49,6 +49,13 @@ def misses(situation: Situation, one: Other) -> bool:
     return contact is not None and not contact.happens and contact.whom in (None, one.id)
 
 
+def all_but_strikes(situation: Situation, one: Other) -> bool:
+    """Whether somebody behind the ego in its lane all but runs into it, as it was said that these two do not touch."""
+    named = situation.contact.whom if situation.contact is not None else None
+    meant = one.id == (named or next((other.id for other in situation.adversaries), None))
+    return meant and misses(situation, one) and one.starts.where is Where.BEHIND
+
+
 _LEVEL = {
     Part.LEFT_FRONT: 0.5, Part.LEFT: 0.0, Part.LEFT_REAR: -0.2,
     Part.RIGHT_FRONT: 0.5, Part.RIGHT: 0.0, Part.RIGHT_REAR: -0.2,

@@ -142,8 +142,18 @@ def room_to_avoid(slower: float) -> float:
 
 def leaves(actor: Actor) -> tuple[float, float]:
     """How much room [m] somebody leaves, from and to: more by what it takes to avoid who cannot be as fast."""
-    more = room_to_avoid(actor.ego_speed - actor.along_speed)
+    more = room_to_avoid(actor.ego_speed - actor.along_speed) + _between(actor)
     return LEAVES[0] + more, LEAVES[1] + more
+
+
+def _between(actor: Actor) -> float:
+    """How much room [m] another needs who comes in from the other side at the same time; 0 where none does."""
+    situation, start = actor.ledger.situation, actor.one.starts
+    waits = (deed.when.during for deed in actor.one.does if deed.act in COMES_OVER and deed.when is not None)
+    named = [name for name in waits if name is not None and not name.startswith(EGO)]
+    others = [situation[name.partition(".")[0]] for name in named if situation.deed(name).act in COMES_OVER]
+    beside = [one for one in others if one.starts.where in BESIDE_EGO and one.starts.side is not start.side]
+    return max((LEAVES[1] + one.kind.row.body.row.limits.length for one in beside), default=0.0)
 
 
 def gets_before(actor: Actor, k: int, way: str, room: str) -> str:

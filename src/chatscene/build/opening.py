@@ -12,15 +12,16 @@ from chatscene.build.aside import goes_round
 from chatscene.build.asked import Meets, stands_first, stops_ahead
 from chatscene.build.chain import in_terms_of, meeting_of
 from chatscene.build.contact import touches
+from chatscene.build.cutting_in import comes_before
 from chatscene.build.deeds import GO, MOVE
-from chatscene.build.gaps import seconds_to_get_ahead
+from chatscene.build.gaps import gets_ahead, seconds_to_get_ahead
 from chatscene.build.halting import halts_at
 from chatscene.build.hurrying import begins_nearer, goes_faster
 from chatscene.build.in_ring import goes_round_beside, until_it_leaves
 from chatscene.build.naming import name_of
 from chatscene.build.paces import CRAWLS, Pace, keeps_distance, slowest_with_ego
 from chatscene.build.place import LANE, at_junction, room_against
-from chatscene.build.reacting import ego_slows, goes_until_ego_slows, reacts
+from chatscene.build.reacting import ego_slows, goes_until_ego_slows, is_late, late_for_ego, reacts
 from chatscene.build.relations import AGAINST, ALONG, grip_of
 from chatscene.build.revealed import shows_slow
 from chatscene.build.sideways import clears_in
@@ -44,6 +45,7 @@ LETS_BY = 2.5  # [s] before somebody comes by that another brakes to let it by
 FARTHEST_BEHIND = 52.0  # [m] that who comes from behind in the next lane begins behind the ego at most
 NEAREST = 4.0  # [m] before a junction: who is nearer is in it
 DRIVES = 1.0  # [s]: who drives so long before it brakes is seen to come driving
+OPENS_FOR = 1.5  # [s] in which the ego comes to a door, at least, that is opened before it
 STANDS = 0.6  # [s]: who stands so long before it sets off is seen to stand
 GIVES_WAY = 1.0  # [m/s]: an ego that goes no faster yields
 KEEPS_UP = 2.0  # [m/s] that somebody goes at least who goes with an ego that is faster
@@ -67,7 +69,7 @@ class Opening(UnderWay):
             yield f"{waits} until {near}"
             return
         if when is not None:
-            yield from when_of(actor, self.first, when, waits)
+            yield from when_of(actor, self.first, when, self._gets_ready(waits))
             self._check_in_time()
             if when.ego_within is not None or when.delay is not None or actor.stand.ego_meets == "egoRoute.eventAt":
                 return
@@ -81,8 +83,9 @@ class Opening(UnderWay):
         if not (actor.stand.rolls or soon):
             self._make_room()
             self._roll_up()
-        if (deed.act is Act.STAND and deed.time is not None) or goes_until_ego_slows(actor, self.first):
-            return  # it stands so long, or goes on until then, from the beginning
+        goes = deed.act in acts_of(Heads.ALONG) and soon
+        if (deed.time is not None and (goes or deed.act is Act.STAND)) or goes_until_ego_slows(actor, self.first):
+            return  # it stands or goes so long, or goes on until then, from the beginning
         yield from self._is_due(waits, soon=soon)
 
     def _is_due(self, waits: str, *, soon: bool) -> Iterator[str]:
@@ -90,7 +93,7 @@ class Opening(UnderWay):
         both_stand = (
             stands_first(self.phases.actor.one) and self.phases.actor.ego.stands and self.phases.actor.stand.behind
         )
-        if stands_first(self.phases.actor.one):
+        if stands_first(self.phases.actor.one) and not self._opens_at_once():
             yield f"{waits} for {STANDS + (LOSES_PATIENCE if both_stand else 0.0):g} seconds"
         if not both_stand:
             yield from self._goes_on(waits, soon=soon)
@@ -104,6 +107,22 @@ class Opening(UnderWay):
         if goes_on_beside(actor) and actor.one.role is Role.ADVERSARY and actor.deeds[self.first].when is None:
             return (text.replace("SPEED", self._speed()) for text in until_it_comes(actor))
         return None
+
+    def _gets_ready(self, waits: str) -> str:
+        """What it does until its first deed is due: who is to come in before the ego meanwhile is ahead by then."""
+        actor = self.phases.actor
+        when = actor.deeds[self.first].when
+        if when is None or when.during is None or not comes_before(actor, self.first):
+            return waits
+        gets = gets_ahead(actor, self.first, "{p}", last=len(actor.deeds) == self.first + 1)
+        return next((text.partition(" until ")[0] for text in gets), waits)
+
+    def _opens_at_once(self) -> bool:
+        """Whether the ego is so near from the first, as was said, that a door is opened then or beside it."""
+        actor = self.phases.actor
+        far = actor.one.starts.distance
+        opens = actor.deeds[-1].act is Act.OPEN_DOOR and actor.stand.meets is Meets.KERB
+        return opens and far is not None and far.most < (STANDS + OPENS_FOR) * actor.ego_speed
 
     def _check_in_time(self) -> None:
         """Hold that who sets out once the ego is so near can still be in its way.
@@ -152,6 +171,8 @@ class Opening(UnderWay):
             yield f"{go} until {self._is_near(EGO)}"
         elif reacts(actor, self.first):
             yield f"{waits} until {ego_slows(actor)}"
+            if is_late(actor) and actor.deeds[self.first].act in LOSES:
+                yield late_for_ego(actor)
         elif soon:
             yield self._soon(waits)
         elif not actor.stand.rolls or actor.stand.meets is Meets.ALONG:
@@ -362,8 +383,8 @@ class Opening(UnderWay):
         actor, fast = self.phases.actor, f"FAST_{self.first}"
         passes = actor.deeds[self.first].act is Act.OVERTAKE and done_to(actor.deeds[self.first]) == EGO
         beside = actor.one.starts.where is Where.BEHIND_BESIDE
-        if passes and beside and fast in actor.numbers.ranges and self._begins_soon():
-            return GO.replace("$SPEED", f"${fast}")
+        if beside and (actor.ego.stands or (passes and fast in actor.numbers.ranges and self._begins_soon())):
+            return GO.replace("$SPEED", f"${fast}" if fast in actor.numbers.ranges else "$SPEED")
         speed = self.phases.paces.before[self.first]
         if speed.name and keeps_distance(self.phases.actor):
             return GO.replace("$SPEED", f"${speed.name}")

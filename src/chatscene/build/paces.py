@@ -31,6 +31,7 @@ SEEN = 1.1  # times what a watcher must see at least
 HELD_FROM = 0.95  # of the speed that a pedal holds, from which on it is held
 CREEPS = 0.3  # [m/s], nobody goes slower on purpose
 ABOUT = 0.85  # of a speed that was said, the least that a watcher takes for it
+BY_ONE_THAT_STANDS = 0.5, 0.8  # of its speed, from and to, that somebody has who comes by an ego that stands
 FOLLOWS = 0.64  # of the ego's speed, the least of who goes with it
 LOST_MORE = 1.3  # times that, the most that somebody loses who is to come up again
 CRAWLS = 1.0  # [m/s]: who must be slower before it gains speed gains it from a stand
@@ -312,6 +313,8 @@ def set_passing_speed(actor: Actor, k: int) -> None:
         most = min(most, Body(actor.limits, actor.walks).fastest)
     can = most
     low, high = (passed + gain for gain in (GAINS if actor.stand.meets is Meets.ALONG else GAINS_AGAINST))
+    if whom == EGO and actor.ego.stands:
+        low, high = (share * actor.along_speed for share in BY_ONE_THAT_STANDS)
     if deed.speed is not None:
         numbers.bind(speed_name, deed.speed, f"{actor.path}.does.{k}.speed")
         low, high, *_ = numbers.ranges[speed_name]

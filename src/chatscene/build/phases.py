@@ -45,7 +45,15 @@ from chatscene.build.opening import Opening
 from chatscene.build.over_lanes import lane_after
 from chatscene.build.paces import CRAWLS, Pace, Paces, Speed, paces_of, set_passing_speed
 from chatscene.build.place import NEXT_LANE, at_roundabout, leaves_by_ramp
-from chatscene.build.reacting import LOCKS, SLOWED, ego_slows, goes_until_ego_slows, swerves_slowed
+from chatscene.build.reacting import (
+    LOCKS,
+    SLOWED,
+    closes_up,
+    ego_slows,
+    goes_until_ego_slows,
+    late_then,
+    swerves_slowed,
+)
 from chatscene.build.relations import grip_of
 from chatscene.build.struck import strikes
 from chatscene.build.timing import Body, Course, Meeting, course
@@ -79,6 +87,7 @@ ON_FOOT, ROUNDS_IN = 1.2, 0.2  # [s] in which somebody on foot turns round at le
 RUN_UP = 15.0  # [m] that somebody beside the road may need to get under way
 STAYS = acts_of(Tempo.GAINS, Heads.DRIFTS)  # it goes on so, whatever time that took
 OPENS_BEFORE, OPENS_INTO = (-1.1, -0.5), (-1.4, -1.1)  # [s] later than one could stop for it that a door is opened
+OPENS_IN_TIME = (-0.6, 1.0)  # [s] sooner than the ego could just stop for it that one is opened beside its lane
 OPENS_AHEAD = (0.5, 1.5)  # [s] sooner than usual that one is opened in the lane that the ego comes along
 _PACED = BEHIND_ANOTHER.last[0]
 OUT_AGAIN = acts_of(Tempo.SETS_OFF, Heads.ROUND, Heads.FROM_EDGE, Heads.OVER, Heads.BEFORE, Heads.IN)
@@ -156,10 +165,12 @@ class Phases:
             self._set_door()
 
     def _set_door(self) -> None:
-        """When a door is opened: before the ego comes to who stands in its lane, or too late for it to stop."""
+        """When a door is opened: before the ego comes to it, or too late for that to stop where the two touch."""
         actor, one = self.actor, self.actor.one
         if one.starts.where is Where.AHEAD:
             actor.numbers.narrow("OFFSET", *OPENS_AHEAD)
+        elif not touches(actor.ledger.situation, one):
+            actor.numbers.narrow("OFFSET", *OPENS_IN_TIME)
         elif touches(actor.ledger.situation, one):
             contact = actor.ledger.situation.contact
             into = contact is not None and contact.striker is Striker.OTHER
@@ -411,7 +422,7 @@ class Phases:
         if deed.act in OVER and all(one.act not in OVER for one in actor.deeds[:k]) and actor.stand.over:
             phases = (phases[0].replace(MOVE, f"MoveAhead($SPEED, {actor.stand.over})"), *phases[1:])
         yield from gets_ahead(actor, k, way or "{p}", last=last)
-        phases = self._beside_ego(k, phases, way or "{p}")
+        phases = closes_up(actor, k, self._beside_ego(k, phases, way or "{p}"), last=last)
         for text in self._careful(phases) if last else phases:
             said = to_whom(of_deed(self, k, text, steps), deed)
             said = said.replace("{meets}", actor.stand.ego_meets)
@@ -422,6 +433,7 @@ class Phases:
             if goes_until_ego_slows(actor, k):
                 said = _FOR_TIME.sub(f" until {ego_slows(actor)}", said)
             yield said.replace("{aside}", sign_of_side(actor, k)).replace("{p}", way or "{p}")
+        yield from (text.replace("{p}", way or "{p}") for text in late_then(actor, k))
         self._take_side(k)
 
     def _beside_ego(self, k: int, phases: tuple[str, ...], way: str) -> tuple[str, ...]:

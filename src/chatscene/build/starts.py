@@ -18,7 +18,7 @@ from chatscene.build.arriving import (
 from chatscene.build.asked import ROOM, Asked, Meets, Stand, bolts, goes_slowly, stands_first, stops_ahead
 from chatscene.build.backing import comes_by, out_of, parked_beside
 from chatscene.build.brushed import brushed
-from chatscene.build.contact import comes_to_stand, is_held_up, strikes_from_behind, touches
+from chatscene.build.contact import all_but_strikes, comes_to_stand, is_held_up, strikes_from_behind, touches
 from chatscene.build.cutting_in import begins_beside, room_to_avoid
 from chatscene.build.doors import opens_in_lane, stands_in_lane
 from chatscene.build.facing import faces, slanting, turned
@@ -83,6 +83,8 @@ BACKS = 1.5, 3.0  # [m/s], from and to, that somebody comes backwards onto the r
 DRIVES = 1.5  # [s] that the ego is longer on its way to whom somebody hides who comes driving and stops there
 BEFORE_NOSE = (1.5, 5.0)  # [m] from the nose of an ego that stands, from and to, that somebody crosses
 EDGE, CROSSES_FROM, MEDIAN = 1.2, 1.55, 1.9  # [m] from the ego's line, in its lane and between the directions
+COMES_UP, FARTHEST = (3.0, 4.0), 52.0  # [s] behind an ego that stands, from and to, who comes by; [m] at most
+TOO_CLOSE, CLOSEST = (0.4, 0.7), 2.0  # [s] behind the ego who all but runs into it is, from and to; [m] at least
 HEADWAY = 0.9, 1.7  # [s] behind whom it follows an ego is, from and to
 STOPPING = 3.0  # [m/s²] that an ego loses at least which comes to a stand
 STOOD = 1.0, 3.0  # [s] that it has stood, from and to, when somebody from behind is there
@@ -235,6 +237,8 @@ def _keeps_behind(asked: Asked) -> tuple[float, float] | None:
         return first.distance.drawn(*asked.numbers.range_of("ROOM" if first.act is Act.FOLLOW else "GAP")[:2])
     drives = asked.one.role is Role.ADVERSARY and not (asked.ego.stands or asked.stands)
     follows = first.act is Act.FOLLOW and drives and not touches(asked.situation, asked.one)
+    if follows and all_but_strikes(asked.situation, asked.one):
+        asked.numbers.narrow("ROOM", *(max(share * asked.ego.speed, CLOSEST) for share in TOO_CLOSE))
     return asked.numbers.range_of("ROOM")[:2] if follows else None
 
 
@@ -256,6 +260,8 @@ def _behind(asked: Asked) -> Stand:
     elif strikes_from_behind(asked.situation, asked.one) and comes_to_stand(asked.situation):
         stops = 0.5 * asked.ego.speed / STOPPING
         asked.headway(*(stops + after for after in STOOD))  # so that the ego stands when it is there
+    elif all_but_strikes(asked.situation, asked.one):
+        asked.headway(*TOO_CLOSE)
     elif close and _slows_before(asked):
         asked.headway(*HEADWAY)  # so that the ego has slowed down when it is there
     elif close:
@@ -337,6 +343,9 @@ def _level(asked: Asked) -> tuple[float, float]:
         low, high = (38.0 * asked.found.further, 56.0 * asked.found.further) if stands else (8.0, 18.0)
     elif asked.one.role is Role.SUPPORTING and _changes_to(asked.situation, asked.side):
         return asked.middles + CAREFUL[0] * asked.ego.speed, asked.middles + CAREFUL[1] * asked.ego.speed
+    elif where is Where.BEHIND_BESIDE and asked.ego.stands and not stands:
+        low, high = (min(seconds * asked.ego.speed, FARTHEST) for seconds in COMES_UP)
+        return low, max(high, low + 2.0)
     else:
         low, high = 7.0, 16.0
     return low + asked.longer, high + asked.longer

@@ -20,6 +20,7 @@ from chatscene.terms.situation import EGO, Deed, Other, Situation, When
 from chatscene.terms.vocabulary import (
     ALONG_THE_ROAD,
     CHANGES,
+    COMES_OVER,
     HALTS,
     LOSES,
     NOSE_TO_TAIL,
@@ -71,6 +72,8 @@ class Sign:
 
 
 _IN = Sign("abs(offsetFrom(egoRoute, {who})) < 2.4", "abs(offsetFrom(egoRoute, {who})) < 1.3")
+_LEAVES_FOR_OURS = Sign("abs(offsetFrom(way{who}, {who})) > 0.3", _IN.done)
+"""Of who comes over from the next lane, and leaves its own as it begins."""
 _ASIDE = Sign("abs(offsetFrom(way{who}, {who})) > 0.6", "abs(offsetFrom(way{who}, {who})) > 0.9")
 _OVER = Sign("abs(offsetFrom(egoRoute, {who})) > 0.8", "abs(offsetFrom(egoRoute, {who})) > 2.2")
 _OVER_ITS_OWN = Sign("abs(offsetFrom(way{who}, {who})) > 0.8", "abs(offsetFrom(way{who}, {who})) > 2.2")
@@ -399,6 +402,8 @@ def _sign_of(situation: Situation, one: Other, n: int) -> Sign | None:
         sign = _IN if ours else _OVER if lane_after(one, one.does, n - 1) == 0 else _OVER_ITS_OWN
     elif act in acts_of(Heads.BY, Heads.OVER) and where in AGAINST:
         sign = _IN
+    if sign is _IN and n == 0 and where in NEXT_LANE and act in COMES_OVER:
+        sign = _LEAVES_FOR_OURS
     if sign is None or (sign.aside and any(_sign_of(situation, one, k) is sign for k in range(n))):
         return None
     return sign

@@ -27,11 +27,24 @@ from chatscene.terms.episode import Episode, Track
 from chatscene.terms.polyline import Polyline
 from chatscene.terms.route import Route
 from chatscene.terms.situation import EGO, Other, Situation
-from chatscene.terms.vocabulary import LOSES, PLAIN, SIDES_OF, Act, Heads, Striker, Tempo, Where, acts_of
+from chatscene.terms.vocabulary import (
+    LOSES,
+    PLAIN,
+    SIDES_OF,
+    Act,
+    EgoRoute,
+    Heads,
+    Side,
+    Striker,
+    Tempo,
+    Where,
+    acts_of,
+)
 
 LONGEST = 3.0  # [s] at most between the two at a place, or until two who both drive on would touch
 EVERY = 1.0  # [s] after which an ego that goes on evenly is followed anew
 BEFORE = 1.5  # [s] at most by which somebody is there before the ego and still meets it: the usual bound of a conflict
+NEARLY = 3.0  # [m] between who follows the ego and that, at most, of whom it was said that they nearly touch
 NEAR = 1.0  # [m] between two bodies that meet, once somebody has begun with what it does
 CLOSES = 0.3  # [m/s] by which somebody comes up to an ego that it is to run into
 COMES_TO = 6.0  # [m] from what it is to brush, an ego at least comes that then brakes or steers
@@ -50,6 +63,11 @@ STAYS = acts_of(Tempo.STANDS, Tempo.PAUSES, Tempo.LIES, Heads.BACK)
 COMES_NEARER = LOSES | acts_of(Tempo.BACKS)
 """What brings whoever is ahead in the ego's own lane nearer to it; who stands there is so unless it sets off again."""
 
+
+GOES_BY = PLAIN | acts_of(Tempo.GAINS)
+"""What somebody does who comes up beside the ego and goes by."""
+CHANGES_TO = {Side.LEFT: EgoRoute.LANE_CHANGE_LEFT, Side.RIGHT: EgoRoute.LANE_CHANGE_RIGHT}
+ALL_BUT, EARLY = 0.05, 0.7  # [s] before the ego at most, who is level with it; by which it is to come later than that
 
 Flags = NDArray[np.bool_]
 Way = tuple[Array, Array, Array, Array]
@@ -89,8 +107,6 @@ def encounter(
     path, crash, ego = f"encounter.{one.id}", episode.collision, episode.ego_track
     if crash is not None and is_with(crash.other, one.id):
         return Finding(path=path, shown=True, told="they touch", at=crash.step * episode.dt)
-    if (struck := _as_said(situation, one, ego, tracks, route)) is not None:
-        return replace(struck, path=path, shown=struck.shown or (None if crash is not None else False))
     way, later = way_of(ego, route.line), [_goes_on_evenly(track, episode) for track in tracks]
     least = min((meeting(ego, way, track, episode.dt, since) for track in later), key=_between)
     if math.isinf(least.between) and (kept := _not_steered(ego, route.line)) is not None:
@@ -99,6 +115,9 @@ def encounter(
     passes = _passes_who_stands(one, ego, since) and not _touches(situation, one)
     if passes or not _must_meet(situation, one, ego, way, tracks[0], least, route):
         return None
+    meant = _as_said(situation, one, ego, tracks, route) or _otherwise(situation, one, ego, tracks, least, since)
+    if meant is not None:
+        return replace(meant, path=path, shown=meant.shown or (None if crash is not None else False))
     if least.between <= (TOGETHER if least.ego_first else BEFORE):
         told = f"they could meet: {least.between:.1f} s between one and the other"
         return Finding(path=path, shown=True, told=told, at=least.at)
@@ -182,6 +201,43 @@ def _brushes(situation: Situation, one: Other, ego: Track, tracks: Sequence[Trac
     gap = min(own, *(_least(kept, _stands_all_along(track, len(along)), len(along)) for track in tracks))
     told = f"the ego's way leads past it at {gap:.1f} m"
     return Finding(path="", shown=gap <= BRUSHES, told=told)
+
+
+def _otherwise(
+    situation: Situation, one: Other, ego: Track, tracks: Sequence[Track], least: Meeting, since: int
+) -> Finding | None:
+    """That two meet at another moment than was meant: who follows is never near, or who comes up is by too soon."""
+    if (far := _not_nearly(situation, one, ego, tracks)) is not None:
+        told = f"it was said to all but run into the ego, and is never nearer than {far:.1f} m"
+        return Finding(path="", shown=False, told=told)
+    if not _is_by_first(situation, one, least):
+        return None
+    early = least.between + EARLY
+    fast = max(float(np.abs(tracks[0].speed[since:]).max(initial=0.0)), 1.0)
+    told = f"it is by {least.between:.1f} s before the ego comes into its lane"
+    return Finding(path="", shown=False, told=told, late=Late(seconds=-early, metres=-early * fast))
+
+
+def _not_nearly(situation: Situation, one: Other, ego: Track, tracks: Sequence[Track]) -> float | None:
+    """How near [m] who follows the ego, and was said not to touch it, comes; None of others, and of who nearly does."""
+    contact = situation.contact
+    if contact is None or contact.happens or contact.whom != one.id or one.starts.where is not Where.BEHIND:
+        return None
+    if any(deed.act in acts_of(Heads.BY, Heads.OVER, Heads.ASIDE) for deed in one.does):
+        return None
+    gap = min(float(gaps(ego, track).min()) for track in tracks)
+    return gap if gap > NEARLY else None
+
+
+def _is_by_first(situation: Situation, one: Other, meets: Meeting) -> bool:
+    """Whether somebody who only comes up in the next lane is by before an ego that changes to that lane is in it."""
+    comes_up = one.starts.where is Where.BEHIND_BESIDE and all(deed.act in GOES_BY for deed in one.does)
+    if not comes_up or meets.ego_first or meets.between <= ALL_BUT or math.isinf(meets.between):
+        return False
+    ego = situation.ego
+    sides = [deed.to for deed in ego.does if deed.act in acts_of(Heads.OVER)]
+    sides += [side for side, route in CHANGES_TO.items() if ego.route is route]
+    return any(side is None or one.starts.side in (None, side) for side in sides[:1])
 
 
 def _late(meets: Meeting, ego: Track, track: Track, since: int) -> Late | None:

@@ -46,13 +46,14 @@ FOLLOWS = frozenset((Where.BEHIND, Where.BEHIND_BESIDE))
 """Places from which somebody acts behind the ego."""
 
 
-def gone_by(one: Other, seen: Seen, done: Mapping[str, Act]) -> Finding | None:
+def gone_by(one: Other, seen: Seen, done: Mapping[str, Act], *, touched: bool = False) -> Finding | None:
     """That the ego has gone by when somebody does what was said, of its first such deed; None without one.
 
     Args:
         one: Who.
         seen: What is seen of it.
         done: When it did each of its deeds, by its name and the number of the deed.
+        touched: Whether it was said to touch the ego, by which what it lets go may come beside that.
     """
     if one.starts.where in FOLLOWS:
         return None
@@ -67,9 +68,10 @@ def gone_by(one: Other, seen: Seen, done: Mapping[str, Act]) -> Finding | None:
         if once is None or goes_on or not _is_for_ego(one, deed):
             continue
         step = _tells(deed, once, seen)
-        if by[step] > 0.0:
-            since = step - int(np.argmax(by[step::-1] <= 0.0)) if (by[:step] <= 0.0).any() else 0
-            late = Late(seconds=(step - since) * seen.dt, metres=-float(by[step]))
+        over = by + seen.ego.length if deed.act in LETS_GO and not touched else by  # its nose is by what is let go
+        if over[step] > 0.0:
+            since = step - int(np.argmax(over[step::-1] <= 0.0)) if (over[:step] <= 0.0).any() else 0
+            late = Late(seconds=(step - since) * seen.dt, metres=-float(over[step]))
             told = f"the ego has gone by {late.seconds:.1f} s before it does its {deed.act}"
             return Finding(path=f"encounter.{one.id}", shown=False, told=told, at=step * seen.dt, late=late)
     return None

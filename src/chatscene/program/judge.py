@@ -214,7 +214,9 @@ class _Judge:
             seen = self.seen.get(one.id)
             if seen is None or one.role is Role.HIDES:
                 continue
-            late = gone_by(one, seen, done) or has_passed(self.situation, one, seen, done, self.seen)
+            contact = self.situation.contact
+            touched = contact is not None and contact.happens and contact.whom in (None, one.id)
+            late = gone_by(one, seen, done, touched=touched) or has_passed(self.situation, one, seen, done, self.seen)
             if late is not None:
                 yield late
             elif one.role is Role.ADVERSARY:
