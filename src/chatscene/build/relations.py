@@ -191,7 +191,7 @@ def speed_of_traffic(situation: Situation) -> float:
         if one.starts.where not in ALONG or relation in (None, Relation.CAUGHT_UP, Relation.PASSED):
             continue
         passes = any(deed.act is Act.OVERTAKE and deed.whom in (None, EGO) for deed in one.does)
-        goes = (deed.speed for deed in one.does if deed.act in acts_of(Heads.ALONG, Heads.BY))
+        goes = (deed.speed for deed in one.does if deed.act in acts_of(Heads.ALONG, Heads.BY, Heads.DRIFTS))
         said = [speed.least for speed in (one.starts.speed, *goes) if speed is not None and not speed.than_ego]
         fastest = max((*said, *map(_had_before, one.does)), default=0.0)
         faster = passes or relation in (Relation.COMES_UP, Relation.HAS_PASSED)
