@@ -109,7 +109,7 @@ def unseen_at_first(built: Built, situation: Situation) -> tuple[str, ...]:
     """
     stage = _Stage.of(built, situation, DRIVES[0])
     stage.drawn = GLANCED
-    return tuple(stage.driven(built.program).unseen())
+    return tuple(stage.driven(built.program).unseen(few=True))
 
 
 def _with_slow_ego(built: Built, situation: Situation) -> Built | None:
@@ -268,11 +268,14 @@ class _Tried:
         facts = (told.partition(": ")[0].split(".") for missing in self.missing for told in missing)
         return {fact[1] for fact in facts if len(fact) > 1}
 
-    def unseen(self) -> Iterator[str]:
+    def unseen(self, *, few: bool = False) -> Iterator[str]:
         """Each fact that no drive shows, or none of the ego that drives where none is named, with what is seen.
 
         What nobody said that all show is told as well. A drive that does not begin shows nothing, and hides nothing
         that others do not show.
+
+        Args:
+            few: Whether the drives of one ego are too few to tell that it is never shown something.
         """
         begun = [missing for missing in self.missing if not any(map(_is_reason, missing))]
         if not begun:
@@ -284,7 +287,7 @@ class _Tried:
                 yield f"all {len(begun)} drives show something that was not said: {instead}"
             else:
                 yield f"none of {len(begun)} drives shows {fact}: {instead}"
-        own = [missing for missing in self.missing[:: len(EGOS)] if not any(map(_is_reason, missing))]
+        own = [] if few else [missing for missing in self.missing[:: len(EGOS)] if not any(map(_is_reason, missing))]
         for fact, instead in _in_each(own).items():
             if fact not in never and not fact.startswith("unasked."):
                 yield f"none of {len(own)} drives by {EGO} shows {fact}: {instead}"
