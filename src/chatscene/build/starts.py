@@ -261,7 +261,8 @@ def _behind(asked: Asked) -> Stand:
         stops = 0.5 * asked.ego.speed / STOPPING
         asked.headway(*(stops + after for after in STOOD))  # so that the ego stands when it is there
     elif all_but_strikes(asked.situation, asked.one):
-        asked.headway(*TOO_CLOSE)
+        low, high = (asked.middles + max(share * asked.ego.speed, CLOSEST) for share in TOO_CLOSE)
+        asked.reach(low, max(high, low + 0.5), "how far behind the ego it is")
     elif close and _slows_before(asked):
         asked.headway(*HEADWAY)  # so that the ego has slowed down when it is there
     elif close:
