@@ -196,3 +196,10 @@ def test_two_parked_cars_are_not_a_row_of_them_as_well(reader: Reader) -> None:
     assert first.road.has == ()
     both = "A boy runs out behind two parked vans in a street with parked cars."
     assert Feature.PARKED_CARS in reader.read(both).ranked[0].situation.road.has
+
+
+def test_a_headway_is_no_time_that_somebody_brakes_for_and_is_told_as_not_read() -> None:
+    read = LearnedReader().read("A lead vehicle at 60 km/h decelerates with 0.6 g at a time headway of 1.2 s.")
+    (lead,) = read.ranked[0].situation.others
+    assert [deed.time for deed in lead.does] == [None]
+    assert any("headway" in words for words in read.unread)

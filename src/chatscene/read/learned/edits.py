@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 import re
 from collections import Counter, defaultdict
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
 from itertools import permutations
@@ -150,7 +150,7 @@ def _told(situation: Situation) -> str:
     return told(replace(situation, evidence=Evidence(), about=""))
 
 
-def _shares(ways: list[tuple[Facts, float]]) -> dict[str, dict[object, float]]:
+def _shares(ways: Sequence[tuple[Facts, float]]) -> dict[str, dict[object, float]]:
     """Of each fact how likely each value is, of all ways to read a text; None where it is not said."""
     total = sum(sure for _, sure in ways) or 1.0
     shares: dict[str, dict[object, float]] = defaultdict(lambda: defaultdict(float))

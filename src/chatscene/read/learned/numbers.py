@@ -76,6 +76,12 @@ WALKING_PACE = Speed(1.4, 1.4)
 _LASTS = re.compile(r"(?i)\bfor(?: (?:the|another|some|about|around|at|least|most|up|to|next|last|\w+ly))* $")
 
 
+_GAP_BEFORE = re.compile(
+    r"(?i)\b(?:headway|gap|thw|ttc|time[- ]to[- ]collision)(?:,| of| is| was| about| around| =)* $"
+)
+_GAP_BEHIND = re.compile(r"(?i)[- ](?:time[- ])?(?:headway|gap|thw|ttc)\b")
+
+
 class Form(IntEnum):
     """In which form an amount stands in a text."""
 
@@ -126,6 +132,12 @@ def amounts_in(text: str, edit: int | None = None) -> tuple[Found, ...]:
 def lasts(text: str, found: Found) -> bool:
     """Whether the words before a time say that something lasts so long, as in "for 20 s"."""
     return isinstance(found.amount, Duration) and _LASTS.search(text[: found.low]) is not None
+
+
+def is_gap(text: str, found: Found) -> bool:
+    """Whether the words beside a time say that it is between two road users, as in "a headway of 1.2 s"."""
+    before, behind = _GAP_BEFORE.search(text[: found.low]), _GAP_BEHIND.match(text, found.high)
+    return isinstance(found.amount, Duration) and (before is not None or behind is not None)
 
 
 def _bare(match: re.Match[str]) -> Iterator[Found]:

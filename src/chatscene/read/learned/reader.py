@@ -15,7 +15,7 @@ from chatscene.read.learned.decoder import Decoder, Written
 from chatscene.read.learned.evidence import marked_in, quoted_of
 from chatscene.read.learned.grammar import NAMES
 from chatscene.read.learned.narrator import DRIVES, MOST, ON_FOOT, SOMEBODY, SURE, clauses, of_somebody, told_by
-from chatscene.read.learned.numbers import lasts
+from chatscene.read.learned.numbers import is_gap, lasts
 from chatscene.read.learned.sequence import path_of, situation_of, verdict_of
 from chatscene.read.learned.text import Read, prepared
 from chatscene.read.learned.weights import PACKAGED, load
@@ -190,7 +190,8 @@ def _by_grammar(way: Way, read: Read) -> Way:
     """A way whose ego is what is said to be the narrator's, and whose contact is as the grammar of the text has it.
 
     It has no contact that is denied only since somebody has to avoid it: what a driver shall do is not told. Nor has it
-    a gap where the text says how long something lasts, or parked cars of the road that are somebody of their own.
+    a gap where the text says how long something lasts, or the reverse, or parked cars of the road that are somebody of
+    their own.
     """
     situation, owned = _once(way, read), owned_kind(read.text)
     if owned is not None and situation.ego.kind is None and not _told_by(way, read):
@@ -208,9 +209,10 @@ def _once(way: Way, read: Read) -> Situation:
     for at, found in way.written.found:
         path = path_of(steps, at)
         who, _, field = path.rpartition(".does.")
-        if field.endswith(".time") and lasts(read.text, found):
+        if field.endswith(".time"):
             deed = situation.does(who.removeprefix("others."))[int(field.partition(".")[0])]
-            situation = with_fact(situation, path, None) if deed.act in _LEAVES_A_GAP else situation
+            of_another = lasts if deed.act in _LEAVES_A_GAP else is_gap
+            situation = with_fact(situation, path, None) if of_another(read.text, found) else situation
     quoted = quoted_of(read, way.written)
     row = quoted.get("road.has", "")
     if situation.road.has in _ROWS and len(spans_of(row, read.text)) == 1:
