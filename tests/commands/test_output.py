@@ -6,6 +6,11 @@ import json
 import subprocess
 import sys
 
+import pytest
+from click.testing import CliRunner
+
+from chatscene.commands.main import main
+
 CODE = """
 import json, os, subprocess, sys
 import click
@@ -34,3 +39,13 @@ def test_else_all_of_it_is_there() -> None:
     ran = subprocess.run([sys.executable, "-c", CODE], capture_output=True, text=True, check=True)
     assert sorted(ran.stdout.split("\n")) == ["", "by a worker", "printed", "text", "written"]
     assert ran.stderr == ""
+
+
+@pytest.mark.parametrize("command", [["explain", "nowhere.yaml"], ["run", "nowhere.yaml"], ["replay", "nowhere"]])
+def test_an_error_is_json_to_who_reads_that(command: list[str]) -> None:
+    told = CliRunner().invoke(main, [*command, "--json"])
+    assert told.exit_code == 1
+    error = json.loads(told.stdout)
+    assert "nowhere" in error["message"]
+    assert error["error"].endswith("Error")
+    assert error["message"] in told.stderr

@@ -89,6 +89,9 @@ def _warn(otherwise: Callable[..., None], message: Warning | str, kind: type[War
         otherwise(message, kind, file, *more)
 
 
+_AS_JSON = "chatscene.as_json"
+
+
 class _Errors(click.Group):
     """Shows our own errors as one message and turns them into the exit status."""
 
@@ -96,7 +99,10 @@ class _Errors(click.Group):
         """Refuse what no path, no name and no text holds, before anything takes it for one."""
         if odd := next((one for one in args if "\0" in one), None):
             raise click.UsageError(f"{odd!r} holds a NUL character")
-        return super().make_context(info_name, args, *more, **extra)
+        as_json = "--json" in args
+        made = super().make_context(info_name, args, *more, **extra)
+        made.meta[_AS_JSON] = as_json
+        return made
 
     def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:  # noqa: ARG002 - as in click
         """List the commands by what one wants to do."""
@@ -116,7 +122,7 @@ class _Errors(click.Group):
                 require_memory()
                 return super().invoke(ctx)
         except (NothingFits, MeansSomethingElse, EditRefused) as error:
-            complain(error)
+            complain(error, as_json=ctx.meta[_AS_JSON])
             ctx.exit(REFUSED)
         except (click.ClickException, click.exceptions.Exit, click.Abort):
             raise
@@ -124,7 +130,7 @@ class _Errors(click.Group):
             told = lack_of_memory(error) or no_such_name(error) or error
             if not isinstance(told, ChatSceneError):
                 raise
-            complain(told)
+            complain(told, as_json=ctx.meta[_AS_JSON])
             ctx.exit(1)
         except KeyboardInterrupt as error:
             kept = getattr(error, "__notes__", [])[-1:]  # the last: of the folder that holds the others

@@ -26,9 +26,11 @@ def no_such_name(error: Exception) -> ChatSceneError | None:
     )
 
 
-def complain(error: ChatSceneError) -> None:
-    """Say what went wrong, and as what."""
+def complain(error: ChatSceneError, *, as_json: bool = False) -> None:
+    """Say what went wrong, and as what; as JSON to who reads that."""
     say(f"{type(error).__name__}: {error}", err=True)
+    if as_json:
+        say(json.dumps({"error": type(error).__name__, "message": str(error)}, ensure_ascii=False))
 
 
 @contextmanager

@@ -70,7 +70,8 @@ def edited(situation: Situation, text: str) -> Edited:
     found = () if gone else likely_changes(situation, text)
     meant = {f"others.{gone}.kind": None} if gone else _meant(situation, found)
     if not meant:
-        unsure = "; ".join(str(one) for one in found[:SHOWN] if one.after - one.before >= SHOWN_FROM)
+        doubted = [one for one in found if not one.path.endswith(".role")][:SHOWN]
+        unsure = "; ".join(str(one) for one in doubted if one.after - one.before >= SHOWN_FROM)
         if so := [KINDS[one.kind].one for one in situation.others if _only_names(one, text)]:
             raise EditRefused(f"no fact changes by {text!r}: it is already {so[0]}")
         why = f"not sure what that changes: {unsure}" if unsure else f"{text!r} was not understood, so no fact changes"
