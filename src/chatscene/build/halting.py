@@ -8,7 +8,6 @@ from chatscene.build.asked import Meets, stops_ahead
 from chatscene.build.chain import in_terms_of
 from chatscene.build.gaps import seconds_to_get_by
 from chatscene.build.place import NEXT_LANE, Found, at_junction, has_crosswalks
-from chatscene.build.sideways import USUAL
 from chatscene.terms.scenario import Control, Site
 from chatscene.terms.situation import Deed, Situation
 from chatscene.terms.vocabulary import Act, EgoLight, Feature, Heads, UserKind, Where, acts_of
@@ -19,7 +18,7 @@ if TYPE_CHECKING:
 NOSE = (0.5, 1.5)  # [m] before a line that the nose of who halts there is, from and to
 RAILS, CROSSWALK = 2.0, 6.0  # [m] before the first rail, and before a junction that has a crosswalk, that one halts
 HARD = 0.75  # of its brake with which who halts does
-LATER = 14.0  # [m] of road beyond where somebody who comes by may be back, up to a bus stop
+COMES_IN, LATER = 1.5, 2.0  # [s] in which who has passed is back; [m] of road beyond there, up to a bus stop
 MOST, SHORT = 0.8, 5.0  # of the ego's way, up to which a bus stop is if it can be; [m] before its end, at most
 SERVES = frozenset((UserKind.BUS, UserKind.ARTICULATED_BUS, UserKind.MINIBUS, UserKind.TRAM))
 """Who stops at a bus stop, since that is for such."""
@@ -91,9 +90,8 @@ def bus_stop_of(actor: Actor) -> str | None:
     length = 0.5 * (actor.limits.length + actor.ego_limits.length)
 
     def metres() -> float:
-        fast = numbers.middle("FAST_0")
-        seconds = numbers.middle("STEADY") + seconds_to_get_by(actor, 0) + k * USUAL
-        brakes = fast * fast / (2.0 * HARD * actor.limits.brake)
+        seconds = numbers.middle("STEADY") + seconds_to_get_by(actor, 0) + COMES_IN
+        brakes = actor.ego_speed**2 / (2.0 * HARD * actor.limits.brake)  # as fast as the ego by then
         return actor.ego_speed * seconds + numbers.middle("AHEAD") + length + brakes + LATER
 
     text = in_terms_of(numbers, ("$STEADY", "$FAST_0", "$AHEAD", "$Y"), metres)
