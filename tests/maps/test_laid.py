@@ -9,6 +9,7 @@ from xml.etree import ElementTree
 
 import pytest
 
+from asam_checker import assert_nothing_wrong
 from chatscene.errors import MapError
 from chatscene.maps.junctions import control_before, junction_control
 from chatscene.maps.laid import laid, laid_name
@@ -251,3 +252,18 @@ def test_who_turns_left_has_a_lane_of_its_own_that_leads_nowhere_else() -> None:
         ["LEFT_TURN"],
         ["RIGHT_TURN", "STRAIGHT"],
     ]
+
+
+@pytest.mark.parametrize(
+    "name",
+    [
+        "road:1+1,crosswalk,junction=five,ring=1,diameter=28",
+        "road:2+2,median=4,junction=four,side=2,ring=2",
+        "road:1+1,junction=left,turn-lane=left",
+    ],
+)
+def test_the_asam_checker_finds_nothing_wrong_in_a_junction_that_is_laid(
+    caplog: pytest.LogCaptureFixture, name: str
+) -> None:
+    _, checks = assert_nothing_wrong(resolve_map(name), caplog, "opendrive")
+    assert checks > 15

@@ -6,7 +6,7 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
-from chatscene.build.alongside import set_pace
+from chatscene.build.alongside import set_pace, set_round
 from chatscene.build.asked import FROM_A_STAND, SOME, Asked, Meets, Stand, bolts, goes_slowly, stands_first
 from chatscene.build.coming import Coming
 from chatscene.build.cutting_in import slows_for_it
@@ -15,7 +15,6 @@ from chatscene.build.facing import said_anyway
 from chatscene.build.flank import set_level
 from chatscene.build.gaps import set_room
 from chatscene.build.heeding import heeds
-from chatscene.build.in_ring import set_round
 from chatscene.build.lateral import placed
 from chatscene.build.ledger import Ledger
 from chatscene.build.naming import name_of

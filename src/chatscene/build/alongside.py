@@ -1,6 +1,8 @@
 """Who goes on beside the ego, over whose way the ego comes: it is there when the ego is, whatever holds that.
 
 An ego that only turns is timed. One that changes lanes, or that others may hold, is kept up with until it comes over.
+So is one in a roundabout, that leaves over the lane outside of its own: on its way to its exit it slows down in bends,
+and nobody knows by how much.
 """
 
 from __future__ import annotations
@@ -17,7 +19,8 @@ from chatscene.build.flank import level_as_said, parts_at_flank
 from chatscene.build.place import GOES_OVER, NEXT_LANE
 from chatscene.build.timing import Body
 from chatscene.errors import NotBuilt
-from chatscene.terms.vocabulary import CHANGES, GOES_ON, LOSES, Act, Heads, Role, Tempo, Where, acts_of
+from chatscene.terms.scenario import Site
+from chatscene.terms.vocabulary import CHANGES, GOES_ON, LOSES, Act, Heads, Role, Side, Tempo, Where, acts_of
 
 if TYPE_CHECKING:
     from chatscene.build.actor import Actor
@@ -27,6 +30,8 @@ _ANSWERS = LOSES | acts_of(Tempo.LIES, Tempo.GAINS, Heads.ASIDE, Heads.SWINGS)
 _HAS_COME = {True: f"abs(offsetFrom({OWN}, ego)) > 0.3", False: "progressOn(egoRoute, ego)[0] > egoRoute.eventAt"}
 """What is seen of an ego that comes over, by whether it changes lanes."""
 _GAINS, _LEAST = 1.4, 1.0  # of the ego's speed, the most, and [m/s] the least of who keeps up with it
+LEAVES = 22.0  # [m] before it has left the ring, from where on an ego comes over the lanes outside of its own
+_AS_FAST = 0.95, 1.1  # of the ego's speed there, that who is beside it drives on at
 _BEHIND = 1.5, 5.0  # [m], nose to tail, that somebody is behind who is to lose speed for an ego that comes over
 _AT_ONCE = 0.1, 0.4  # [s] after which it does
 
@@ -141,3 +146,37 @@ def until_it_comes(actor: Actor) -> Iterator[str]:
     yield f"PaceOnPath({{p}}, ego, {ahead}, {top:.4g}, {_LEAST:g}) until {comes}"
     if all(deed.time is None for deed in actor.deeds):
         actor.numbers.narrow("GO_TIME", *_AT_ONCE)
+
+
+# In a roundabout
+
+
+def goes_round_beside(actor: Actor) -> bool:
+    """Whether somebody only goes round in a roundabout, in the lane outside of the ego's, over which the ego leaves."""
+    one, stand = actor.one, actor.stand
+    beside = one.starts.where in (Where.BESIDE, Where.BEHIND_BESIDE) and one.kind.row.body.row.motorised
+    outside = beside and (one.starts.side or actor.found.sides.get(one.id)) is Side.RIGHT
+    drives = stand.meets is Meets.ALONG and not stand.rolls and not stands_first(one) and bool(actor.deeds)
+    goes_on = drives and all(deed.act in GOES_ON and deed.when is None for deed in actor.deeds)
+    ring = actor.found.query.get("site") == Site.ROUNDABOUT
+    return ring and outside and goes_on and one.role is Role.ADVERSARY
+
+
+def set_round(actor: Actor) -> None:
+    """Let who goes round beside the ego drive on as fast as the ego is there, if its speed was not said."""
+    if goes_round_beside(actor) and not actor.numbers.is_said("SPEED"):
+        speed = _speed_there(actor)
+        actor.numbers.narrow("SPEED", *(share * speed for share in _AS_FAST))
+
+
+def until_it_leaves(actor: Actor) -> str:
+    """What it does until the ego is about to leave the ring."""
+    ahead = f"-$Y - {actor.room:g}" if actor.stand.behind else f"$Y + {actor.room:g}"
+    top = min(_GAINS * actor.ego_speed, actor.limits.fastest)
+    till = f"progressOn(egoRoute, ego)[0] > egoRoute.exitAt - {LEAVES:g}"
+    return f"PaceOnPath({{p}}, ego, {ahead}, {top:.4g}, {_LEAST:g}) until {till}"
+
+
+def _speed_there(actor: Actor) -> float:
+    """How fast the ego is [m/s] where it is about to leave the ring, if nothing holds it."""
+    return actor.ego.table.speed_at(actor.found.route.exitAt - LEAVES)

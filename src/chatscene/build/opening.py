@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 
-from chatscene.build.alongside import goes_on_beside, until_it_comes
+from chatscene.build.alongside import goes_on_beside, goes_round_beside, until_it_comes, until_it_leaves
 from chatscene.build.arriving import back_by_deeds
 from chatscene.build.aside import goes_round
 from chatscene.build.asked import Meets, stands_first, stops_ahead
@@ -17,7 +17,6 @@ from chatscene.build.deeds import GO, MOVE
 from chatscene.build.gaps import gets_ahead, seconds_to_get_ahead
 from chatscene.build.halting import halts_at
 from chatscene.build.hurrying import begins_nearer, goes_faster
-from chatscene.build.in_ring import goes_round_beside, until_it_leaves
 from chatscene.build.naming import name_of
 from chatscene.build.paces import CRAWLS, Pace, keeps_distance, slowest_with_ego
 from chatscene.build.place import LANE, at_junction, room_against
