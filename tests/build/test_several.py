@@ -147,3 +147,19 @@ def test_who_comes_out_of_a_slow_row_goes_as_slowly_before() -> None:
     assert tracks["A"].speed[0] * 3.6 < 9.0
     row = [track for name, track in tracks.items() if name.startswith("E")]
     assert max(np.hypot(a.x[0] - b.x[0], a.y[0] - b.y[0]) for a, b in itertools.combinations(row, 2)) < 25.0
+
+
+def test_who_waits_behind_an_ego_that_stops_for_another_stays_behind_until_it_does_and_a_third_comes_out_then() -> None:
+    said = {
+        "ego": {"speed": "30 km/h", "does": [{"act": "stop", "when": {"after": "A.cross"}}]},
+        "others": [
+            other("A", "ball", "roadside", {"act": "cross"}, role="supporting"),
+            other("B", "car", "behind", {"act": "overtake", "when": {"after": "ego.stop"}}),
+            other("C", "child", "roadside", {"act": "cross", "when": {"during": "B.overtake"}}, {"act": "stop"}),
+        ],
+    }
+    one, _, episode = driven(**said)
+    found = {each.path: each for each in judge(from_plain(said), episode, simulator(one.map).route(one.program, 0))}
+    for path in ("others.B.does.0.act", "others.C.does.0.act", "others.C.does.0.when.during"):
+        assert found[path].shown, found[path]
+    assert episode.collision is None

@@ -33,7 +33,7 @@ from chatscene.maps.crossings import MEETING
 from chatscene.terms.amount import Length
 from chatscene.terms.scenario import Maneuver, Site
 from chatscene.terms.situation import EGO, Other
-from chatscene.terms.vocabulary import GOES_ON, LOSES, STOPS, Act, Facing, Heads, Role, Where, acts_of
+from chatscene.terms.vocabulary import GOES_ON, HALTS, LOSES, STOPS, Act, Facing, Heads, Role, Where, acts_of
 
 EGO_FIRST = 1.0  # [s] before somebody that the ego is by at most where it still meets it
 BEHIND_IT = 3.0  # [m] behind whom it stops somebody stands
@@ -396,7 +396,8 @@ class Opening(UnderWay):
         if not keeps_distance(self.phases.actor):
             least = min(KEEPS_UP, 0.8 * self.phases.actor.ego_speed)
             return f"PaceOnPath({{p}}, ego, {ahead}, ${self._speed()}, {least:.3g})"
-        return f"PaceOnPath({{p}}, ego, {ahead}, 40, {slowest_with_ego(self.phases.actor):.3g})"
+        slowest = 0.0 if self.phases.follows_until(self.first) else slowest_with_ego(self.phases.actor)
+        return f"PaceOnPath({{p}}, ego, {ahead}, 40, {slowest:.3g})"  # behind an ego that is to stop, it stops, too
 
     def _held(self) -> str | None:
         """How long [s] it waits while the ego is held at first, as that comes so much later; None where it is not.
@@ -475,6 +476,14 @@ class Opening(UnderWay):
                     return name_of(one.id)
         return EGO
 
+    def _waits_for_a_stop(self) -> bool:
+        """Whether it begins once the ego has stopped, which then comes no nearer."""
+        actor = self.phases.actor
+        when = actor.deeds[self.first].when if self.first < len(actor.deeds) else None
+        named = (when.after, when.during) if when is not None else ()
+        ego = [name for name in named if name is not None and name.startswith(f"{EGO}.")]
+        return any(actor.ledger.situation.deed(name).act in HALTS for name in ego)
+
     def _or_yields(self) -> str:
         """An ego that stops for who stands in or beside its lane would wait for it as long as it waits for the ego."""
         situation, stand = self.phases.actor.ledger.situation, self.phases.actor.stand
@@ -482,4 +491,5 @@ class Opening(UnderWay):
         waits_for_it = situation.ego.does and not self.phases.actor.ego.stands
         held = stand.meets is Meets.THROUGH or waits_for_it or (controlled and not self.phases.actor.ego.stands)
         held = held or self.phases.actor.ego.held > 0.0
+        held = held and not self._waits_for_a_stop()
         return "" if held else f" or ego.pose[3] < {GIVES_WAY:g}"

@@ -314,7 +314,7 @@ class Phases:
                 body.append(f"{self._at(k, meanwhile)} until {near}")
             elif k > first and deed.when is not None:
                 changes = steps.pace in (Pace.GAINS, Pace.LOSES)
-                goes_on = _PACED if self._follows_until(k) else self._at(k, meanwhile, before=changes)
+                goes_on = _PACED if self.follows_until(k) else self._at(k, meanwhile, before=changes)
                 body += when_of(actor, k, deed.when, goes_on)
             if k > first and deed.when is None and deed.act in OUT_AGAIN and actor.deeds[k - 1].act is Act.PARK:
                 body.append(f"Halt() until {COMES_BY}")
@@ -340,7 +340,7 @@ class Phases:
             turned ^= deed.act is Act.TURN_BACK
             yield body
 
-    def _follows_until(self, k: int) -> bool:
+    def follows_until(self, k: int) -> bool:
         """Whether somebody in the ego's lane behind it does something once the ego does: until then it keeps behind."""
         actor, when = self.actor, self.actor.deeds[k].when
         named = (when.after, when.during) if when is not None else ()
