@@ -42,7 +42,7 @@ from proving_ground import (
 from chatscene.build.build import build
 from chatscene.ego.asking import fitted, wanting
 from chatscene.ego.policy import load_ego
-from chatscene.errors import MapError, NotBuilt
+from chatscene.errors import MapError, NotBuilt, NothingFits
 from chatscene.measure.avoidability import avoidable
 from chatscene.program.sample import draw
 from chatscene.report.filled import explain_text
@@ -160,12 +160,12 @@ def among(egos: Sequence[str], speed: float, draws: int, half: int | None) -> No
     for number, (_, text) in enumerate(sentences()):
         if half is not None and number % 2 != half:
             continue
-        read = explain_text(text)
-        assert isinstance(read, Stated), text
         try:
+            read = explain_text(text)
+            assert isinstance(read, Stated), text
             made = build(with_fact(read.situation, "ego.speed", f"{speed:g} km/h"))
             route = next(iter(routes_of(simulator(made.map), made.program, 1)))
-        except (NotBuilt, MapError) as refusal:
+        except (NothingFits, NotBuilt, MapError) as refusal:
             print(f"not built: {text} ({refusal})")
             continue
         for seed, name in itertools.product(range(draws), egos):
