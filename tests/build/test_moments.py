@@ -171,3 +171,17 @@ def test_a_door_is_opened_before_the_nose_of_an_ego_that_it_does_not_touch_is_by
     opens = int(np.argmax(door.speed > 0.1))
     nose = np.hypot(episode.ego_track.x[opens] - door.x[opens], episode.ego_track.y[opens] - door.y[opens])
     assert float(nose) > 0.5 * episode.ego_track.length
+
+
+def test_an_ego_that_leaves_its_lane_and_stops_is_not_held_in_that_behind_who_goes_before_it() -> None:
+    said = others(
+        car("A", "oncoming", deed("overtake", whom="C")),
+        car("B", "ahead", deed("go-along"), kind="truck"),
+        car("C", "oncoming", deed("go-along"), kind="truck"),
+        ego={
+            "speed": "80 km/h",
+            "does": [deed("swerve", to="right") | {"when": {"during": "A.overtake"}}, deed("stop")],
+        },
+        road={"setting": "rural", "two_way": True},
+    )
+    assert "Order(aside=0)" not in build(said).program.source

@@ -15,6 +15,7 @@ from chatscene.build.restated import untimed
 from chatscene.terms.situation import EGO, Other
 from chatscene.terms.vocabulary import (
     COMES_IN,
+    LETS_GO,
     LOSES,
     SIDEWAYS,
     Act,
@@ -58,10 +59,11 @@ def avoids(actor: Actor, k: int) -> Other | None:
 
 
 def answered_by(actor: Actor, k: int) -> frozenset[str]:
-    """For whose deeds somebody does its k-th, by ids; the ego's count for nobody."""
+    """For whose deeds somebody does its k-th, by ids; the ego's count for nobody, nor what is let go and lies there."""
     when = actor.deeds[k].when
-    named = (when.after, when.during) if when is not None else ()
-    return frozenset(name.partition(".")[0] for name in named if name is not None) - {EGO, actor.one.id}
+    named = [name for name in (when.after, when.during) if name is not None] if when is not None else []
+    does = (name for name in named if not name.startswith(EGO) and actor.ledger.situation.deed(name).act not in LETS_GO)
+    return frozenset(name.partition(".")[0] for name in does) - {actor.one.id}
 
 
 def goes_round(actor: Actor, k: int) -> str:

@@ -351,7 +351,7 @@ class Opening(UnderWay):
             fastest = max((speed.high for speed in speeds if speed.name), default=0.0)
             gains = max(0.0, fastest - actor.ego_speed) * actor.found.route.eventAt / actor.ego_speed
             low, high = low + gains, high + gains
-            if actor.ego.stands:  # or it would be by before it has done anything
+            if self._comes_by():  # or it would be by before it has done anything
                 most = max(high, FARTHEST_BEHIND)
                 comes = self._wish() * (self._wait() + DRIVES)
                 low, high = min(max(low, comes), most), min(max(high, comes + NEAREST), most)
@@ -446,10 +446,15 @@ class Opening(UnderWay):
     def _due_along(self, wait: float) -> str:
         """The same, of who goes along the road; who comes from behind by an ego that stands is timed by its own way."""
         stands = self.phases.actor.ego.stands
-        if stands and self.phases.actor.stand.behind:
+        if self._comes_by():
             return f"headway({{p}}, self, ego) < self.pose[3] * ({wait:.3g} + $OFFSET)"
         due = f"secondsTo(egoRoute, ego, egoRoute.eventAt) < {wait:.3g} + $OFFSET"
         return due + (self._or_yields() if stands or self._is_held_by_others() else "")
+
+    def _comes_by(self) -> bool:
+        """Whether it comes by an ego that stands all the time, in the lane beside that."""
+        actor = self.phases.actor
+        return actor.ego.stands and actor.stand.behind and actor.one.starts.where is Where.BEHIND_BESIDE
 
     def _is_held_by_others(self) -> bool:
         """Whether an ego may be held by others before it is where its first deed is due, who is ahead of it."""

@@ -12,7 +12,20 @@ from chatscene.terms.amount import Speed
 from chatscene.terms.backing import backs
 from chatscene.terms.order import Order
 from chatscene.terms.situation import EGO, Deed, Other, Situation, When
-from chatscene.terms.vocabulary import CHANGES, SIDES_OF, Act, EgoRoute, Part, Role, Striker, Tempo, Where, acts_of
+from chatscene.terms.vocabulary import (
+    CHANGES,
+    SIDES_OF,
+    SIDEWAYS,
+    Act,
+    EgoRoute,
+    Heads,
+    Part,
+    Role,
+    Striker,
+    Tempo,
+    Where,
+    acts_of,
+)
 from chatscene.world.ego_route import EgoRoute as Route
 from chatscene.world.places import ownLane
 
@@ -133,6 +146,8 @@ def keeps_in_lane(situation: Situation) -> Iterator[Order]:
     """An order by which the ego stays in its lane that stops behind somebody: some egos would go round that one."""
     k = halts(situation)
     if k is None or situation.ego.does[k].act is not Act.STOP:
+        return
+    if any(deed.act in SIDEWAYS | acts_of(Heads.EDGE) for deed in situation.ego.does):  # it is to leave its lane
         return
     if any(_is_before(one) for one in situation.others):
         yield Order(aside=0.0)
