@@ -448,8 +448,9 @@ def evaluated(folder: Path, *, text: str = TEXT, kept_for: str = "idm", reported
         base="straight-obstacle",
         generator="chatscene",
         kept_for=kept_for,
+        map_name="town",
     )
-    asked = asked_evaluation([told], scenes=Driven.EVERY, egos=["idm", "planner"], settings=Settings(), map_name="town")
+    asked = asked_evaluation([told], scenes=Driven.EVERY, egos=["idm", "planner"], settings=Settings())
     run = create(folder / "compared", asked)
     for number, steps in enumerate((100, 20)):
         write_block(run, replace(block(0, steps=steps), number=number))

@@ -246,7 +246,9 @@ def test_an_evaluation_has_the_physics_of_the_runs_unless_another_is_asked_for(
 
 
 def test_runs_under_different_physics_are_not_measured_together(runs_of: dict[str, Path], tmp_path: Path) -> None:
-    with pytest.raises(RunError, match="differ in map, step, simulator, physics or occlusion"):
+    with pytest.raises(
+        RunError, match=r"differ in physics \(lagged and kinematic\); name one for all, as with --physics kinematic"
+    ):
         evaluate(list(runs_of.values()), tmp_path / "both", egos=["rule-based"], progress=silent)
 
 

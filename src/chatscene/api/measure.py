@@ -216,7 +216,7 @@ def evaluate(
         progress: Called with what is done.
 
     Raises:
-        RunError: A run is not finished, the runs have different maps, or one names code that must be repeated.
+        RunError: A run is not finished, the runs were not simulated alike, or one names code that must be repeated.
         EgoError: An ego cannot be loaded.
         SettingsError: An option that only applies to runs was given for an imported folder.
     """

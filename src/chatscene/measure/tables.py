@@ -288,8 +288,8 @@ def _by_base(found: Sequence[D]) -> dict[BaseScenario, list[D]]:
 
 
 def _routes(found: Sequence[D]) -> list[list[D]]:
-    """What shares a route of a base scenario."""
-    return list(_split(found, lambda each: f"{each.base_scenario}/{each.route:09d}").values())
+    """What shares a route of a base scenario; on another map it is another route."""
+    return list(_split(found, lambda each: f"{each.base_scenario}/{each.map_name}/{each.route:09d}").values())
 
 
 def _place(each: Drive | Displacement) -> tuple[str, str, str, int, str, str]:

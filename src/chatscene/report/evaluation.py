@@ -42,6 +42,7 @@ def write_evaluation(run: Workspace) -> Path:
     fared = _each_fared(record, driven)
     egos = [one["ego"] for one in fared]
     scenes = _scenes(driven, situations)
+    maps = list(dict.fromkeys(source.map_name for source in record.sources))
     page = fill(
         "evaluation.html",
         title=", ".join(egos),
@@ -54,10 +55,11 @@ def write_evaluation(run: Workspace) -> Path:
         drives=len(driven),
         rejected=record.counts.get("rejected", 0),
         scenes=scenes,
+        several_maps=len(maps) > 1,
         situations=[one | {"collided": _collided(scenes, one["number"], len(egos))} for one in situations],
         pairs=_pairs(scenes, len(egos)),
         facts={
-            "Map": record.map_name,
+            ("Maps" if len(maps) > 1 else "Map"): ", ".join(maps),
             "Scenes": "all that were driven" if record.scenes == "every" else "those that were kept",
             "Simulator": f"{record.simulator.name}, {record.simulator.physics}",
             "Versions": ", ".join(f"{name} {number}" for name, number in record.versions.items()),
@@ -130,7 +132,14 @@ def _situation(run: Workspace, number: int, source: SourceRecord) -> dict[str, A
         text = source.scenario_id  # it is not there any more
     report = folder / "report.html"
     link = quote(Path(os.path.relpath(report, run.path.resolve())).as_posix()) if report.is_file() else ""
-    return {"number": number, "scenario_id": source.scenario_id, "text": text, "link": link, "ego": source.kept_for}
+    return {
+        "number": number,
+        "scenario_id": source.scenario_id,
+        "text": text,
+        "link": link,
+        "ego": source.kept_for,
+        "map": source.map_name,
+    }
 
 
 def fared_of(ego: str, senses: str, rows: Sequence[Row], *, by_selection: int = 0) -> dict[str, Any]:

@@ -125,23 +125,21 @@ def scenario_of(record: RunRecord, generator: Generator) -> Scenario:
 
 
 def asked_evaluation(
-    sources: Iterable[SourceRecord],
+    sources: Sequence[SourceRecord],
     *,
     scenes: Driven,
     egos: Iterable[str],
     settings: Settings,
-    map_name: str,
     speed: float | None = None,
     told_speeds: bool = False,
 ) -> EvaluationRecord:
     """An evaluation of egos on the scenes of runs.
 
     Args:
-        sources: The runs.
+        sources: The runs, with their maps; at least one.
         scenes: Which of theirs.
         egos: Who drives.
         settings: How.
-        map_name: Where.
         speed: What they drive at [km/h] where none was said; None for what the programs have.
         told_speeds: Whether a program of theirs says what its ego drives at.
 
@@ -149,7 +147,7 @@ def asked_evaluation(
         ChatSceneError: Something that is named is not there.
     """
     named = list(egos)
-    common = _on_a_map(map_name, named, settings, told_speed=told_speeds or speed is not None)
+    common = _on_a_map(sources[0].map_name, named, settings, told_speed=told_speeds or speed is not None)
     return EvaluationRecord(scenes=scenes, sources=list(sources), egos=named, speed=speed, **common)
 
 

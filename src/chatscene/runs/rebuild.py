@@ -14,7 +14,7 @@ from chatscene.maps.network import resolve_map
 from chatscene.runs.blocks import read_ranges
 from chatscene.runs.digests import digest_of
 from chatscene.runs.explanation import read_choice
-from chatscene.runs.record import MapRecord, Record, settings_of
+from chatscene.runs.record import MapRecord, Record, SourceRecord, settings_of
 from chatscene.runs.workspace import Workspace, changed_versions, read_programs, read_record
 from chatscene.search.climb import simulator_of
 from chatscene.search.generator import load_generator
@@ -26,8 +26,8 @@ AS_KEPT = "program"  # the generator of a program that is a stranger's
 _COMPOSED = re.compile(r"^behavior/composed\.|\+")  # ids of snippets that earlier versions made of acts
 
 
-def map_of(record: MapRecord) -> Path:
-    """The map that a run was made on.
+def map_of(record: MapRecord | SourceRecord) -> Path:
+    """The map that a run was made on, or that the scenes lie on that an evaluation has from it.
 
     Raises:
         MapError: There is none of that name.
@@ -42,7 +42,7 @@ def map_of(record: MapRecord) -> Path:
     if record.map_digest and digest_of(path) != record.map_digest:
         raise RunError(
             f"the map {record.map_name} is not the file that the run was made on (its SHA-256 differs); put that one "
-            f"back, or {_remedy(record)}"
+            f"back{'' if isinstance(record, SourceRecord) else f', or {_remedy(record)}'}"
         )
     return path
 

@@ -8,7 +8,7 @@ from enum import StrEnum
 from pathlib import Path
 from typing import Annotated, Any, ClassVar, TypeVar
 
-from pydantic import AfterValidator, BaseModel, ConfigDict, Field, ValidationError
+from pydantic import AfterValidator, BaseModel, ConfigDict, Field, ValidationError, ValidationInfo, field_validator
 
 from chatscene.errors import SettingsError
 from chatscene.settings import READ_AS, RetrievalSettings, SearchSettings, Settings, SimulationSettings
@@ -106,6 +106,8 @@ class SourceRecord(_Frozen):
             records of before.
         first_route: Scenes on earlier routes are left out.
         kept_for: The ego against which its scenes were selected; empty where every scene is driven.
+        map_name: The map that its scenes lie on; in records of before that of the evaluation.
+        map_digest: SHA-256 of the file of that map.
     """
 
     folder: str
@@ -114,6 +116,8 @@ class SourceRecord(_Frozen):
     generator: str
     first_route: int = 0
     kept_for: str = ""
+    map_name: str = ""
+    map_digest: str = ""
 
     def path_from(self, evaluation: Path) -> Path:
         """Where the run is, for an evaluation in a folder; an absolute `folder` is that, wherever the evaluation is."""
@@ -280,7 +284,7 @@ class RunRecord(MapRecord):
 
 
 class EvaluationRecord(MapRecord):
-    """An evaluation: egos on the scenes of runs.
+    """An evaluation: egos on the scenes of runs, those of each on its own map; `map_name` is that of the first.
 
     Attributes:
         speed: What egos drive at [km/h] where none was said; None for what the programs have. Asked for, though older
@@ -292,6 +296,13 @@ class EvaluationRecord(MapRecord):
     sources: list[SourceRecord]
     speed: float | None = None
     failures: dict[str, str] = {}
+
+    @field_validator("sources")
+    @classmethod
+    def _each_on_a_map(cls, sources: list[SourceRecord], others: ValidationInfo) -> list[SourceRecord]:
+        """Sources with their maps; those of before have none of their own."""
+        usual = {name: others.data.get(name, "") for name in ("map_name", "map_digest")}
+        return [one if one.map_name else one.model_copy(update=usual) for one in sources]
 
     @classmethod
     def asked(cls) -> frozenset[str]:

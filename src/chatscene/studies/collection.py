@@ -51,6 +51,7 @@ from chatscene.search.generators.foreign import read_foreign
 from chatscene.settings import DRAWS, EGO, SimulationSettings
 from chatscene.simulate.confined.simulator import ConfinedSimulator
 from chatscene.simulate.simulator import fails_in_its_scene
+from chatscene.studies.one_map import OneMap
 from chatscene.terms.results import Cell, ResultTable
 from chatscene.terms.scenario import Slots
 from chatscene.terms.scene import Scene, ScenicProgram, at_speed
@@ -114,14 +115,13 @@ class Compared:
 
 
 class Driver:
-    """Drives programs, one after another, and keeps the simulator of a map as long as the programs lie on it."""
+    """Drives programs, one after another."""
 
     def __init__(self, driving: Driving) -> None:
         self._driving = driving
         self._egos: dict[str, EgoPolicy] = {}
         self._given_up: dict[str, str] = {}
-        self._map: Path | None = None
-        self._simulator: ConfinedSimulator | None = None
+        self._simulators = OneMap[ConfinedSimulator]()
 
     def __call__(self, program: CollectedProgram) -> list[dict[str, Any]]:
         """A row for each drive, or one for a program that does not run; a drive that fails leaves the others."""
@@ -161,10 +161,7 @@ class Driver:
         return read_foreign(program.path, searched_with=False, as_written=True).program
 
     def _simulator_on(self, map_path: Path) -> ConfinedSimulator:
-        if self._simulator is None or self._map != map_path:
-            self.close()
-            self._map, self._simulator = map_path, ConfinedSimulator(map_path, self._driving.simulation)
-        return self._simulator
+        return self._simulators.on(map_path, (), lambda: ConfinedSimulator(map_path, self._driving.simulation))
 
     def _drive(self, program: ScenicProgram, scene: Scene, ego: str, simulator: ConfinedSimulator) -> dict[str, Any]:
         if ego not in self._given_up:
@@ -179,9 +176,7 @@ class Driver:
 
     def close(self) -> None:
         """End the simulator's process."""
-        if self._simulator is not None:
-            self._simulator.close()
-            self._simulator = None
+        self._simulators.close()
 
 
 def _ran(outcome: Ran) -> dict[str, Any]:

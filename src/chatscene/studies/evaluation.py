@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import time
 from collections import deque
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import groupby
 from operator import itemgetter
@@ -19,6 +19,7 @@ from chatscene import runs
 from chatscene.ego.policy import load_ego
 from chatscene.errors import EgoError, RunError, SettingsError
 from chatscene.maps.carried import CarriedMap
+from chatscene.maps.network import name_of
 from chatscene.measure.drive import Ran, drive_all
 from chatscene.measure.score import average_displacement
 from chatscene.measure.tables import (
@@ -32,18 +33,21 @@ from chatscene.report.egos import egos_in_words
 from chatscene.report.evaluation import write_evaluation
 from chatscene.report.summary import stepped_in_words
 from chatscene.report.tables import write_tables
+from chatscene.runs.digests import digest_of
 from chatscene.runs.executor import ONE, Workers
 from chatscene.runs.parallel import spread
 from chatscene.runs.progress import Progress, silent
 from chatscene.runs.rebuild import map_of, rebuild
 from chatscene.runs.record import seen_from
+from chatscene.runs.together import simulated_alike
 from chatscene.runs.trust import Repeated, follow
 from chatscene.runs.working import working
 from chatscene.search.climb import simulator_of
 from chatscene.search.explore import Block
 from chatscene.search.generator import load_generator
-from chatscene.settings import EGO, Settings, SimulationSettings
+from chatscene.settings import EGO, Settings
 from chatscene.simulate.simulator import Simulator, check_jobs
+from chatscene.studies.one_map import OneMap
 from chatscene.terms.metrics import Mode
 from chatscene.terms.results import Displacement, Drive, ResultTable
 from chatscene.terms.scenario import BaseScenario, Said
@@ -108,8 +112,8 @@ def evaluate(
     """Drive the kept scenes of runs with egos, into a new folder, or on in one where the same was cut.
 
     Raises:
-        RunError: A source is not finished, they lie on different maps, or the folder is taken; or a source names what
-            must be repeated (`chatscene.runs.trust.follow`).
+        RunError: A source is not finished, its map is another by now, they were not simulated alike, or the folder is
+            taken; or a source names what must be repeated (`chatscene.runs.trust.follow`).
         EgoError: An ego cannot be loaded.
         SettingsError: There is no ego, or one is named twice; or there is no such simulator.
     """
@@ -121,11 +125,7 @@ def evaluate(
     records = [runs.read_record(run) for run in found]
     for run, record in zip(found, records, strict=True):
         runs.require_done(run, record)
-        if _where(record, simulator, physics) != _where(records[0], simulator, physics):
-            raise RunError(
-                f"{run.path} and {found[0].path} differ in map, step, simulator, physics or occlusion; "
-                "evaluate them one by one"
-            )
+    simulation = simulated_alike(found, records, simulator=simulator, physics=physics)
     told = [
         _source(run, folder, record, first_route, kept_for="" if every_scene else record.ego)
         for run, record in zip(found, records, strict=True)
@@ -136,8 +136,7 @@ def evaluate(
                 f"{twin.path_from(folder)} and {source.path_from(folder)} hold scenes of one and the same sentence, "
                 "which the tables cannot tell apart; evaluate them one by one"
             )
-    map_of(records[0])  # it must still be the file that they were made on
-    settings = replace(runs.settings_of(records[0]), simulation=_where(records[0], simulator, physics)[-1])
+    settings = replace(runs.settings_of(records[0]), simulation=simulation)
     check_jobs(settings.simulation, workers.jobs)
     scenes = runs.Driven.EVERY if every_scene else runs.Driven.KEPT
     told = _as_before(folder, told)
@@ -146,7 +145,6 @@ def evaluate(
         scenes=scenes,
         egos=egos,
         settings=settings,
-        map_name=records[0].map_name,
         speed=speed,
         told_speeds=any(record.situation is not None for record in records),
     )
@@ -168,19 +166,13 @@ def _as_before(folder: Path, told: list[runs.SourceRecord]) -> list[runs.SourceR
     return [source.model_copy(update={"folder": str(source.path_from(folder))}) for source in told]
 
 
-def _where(record: runs.RunRecord, simulator: str, physics: str) -> tuple[str, str, SimulationSettings]:
-    """The map of a run and how its scenes are simulated: as they were, or in another simulator or physics."""
-    simulation = runs.settings_of(record).simulation
-    simulation = replace(simulation, simulator=simulator or simulation.simulator, physics=physics or simulation.physics)
-    return record.map_name, record.map_digest, simulation
-
-
 def _source(
     run: runs.Workspace, folder: Path, record: runs.RunRecord, first_route: int, *, kept_for: str
 ) -> runs.SourceRecord:
     scenario, _ = runs.read_choice(run)
     if scenario.base is None:
         raise RunError(f"the scenario of {run.path} belongs to none of the eight base scenarios that tables have")
+    path = map_of(record)
     return runs.SourceRecord(
         folder=seen_from(folder, run.path),
         scenario_id=scenario.id,
@@ -188,6 +180,8 @@ def _source(
         generator=record.generator,
         first_route=first_route,
         kept_for=kept_for,
+        map_name=name_of(path),
+        map_digest=digest_of(path),
     )
 
 
@@ -258,6 +252,8 @@ def _drive_all(
     """Run every task that is not done; the reasons of the egos that failed in it."""
     done = runs.done_blocks(run)
     left = [task for task in tasks if (task.source.scenario_id, task.route, task.number) not in done]
+    maps = {task.source.map_name: CarriedMap.of(map_of(task.source)) for task in tasks}
+    left.sort(key=lambda task: list(maps).index(task.source.map_name))
     failures: dict[str, str] = {}
     rows = [deque(of) for _, of in groupby(_given(run, left, record), key=lambda one: _place(one.task))]
     waiting = {_place(row[0].task): row for row in rows}
@@ -268,7 +264,7 @@ def _drive_all(
         return [row.popleft()] if row else []
 
     first = [row.popleft() for row in rows]
-    came = spread(_Evaluator, CarriedMap.of(map_of(record)), first, workers=workers, then=next_on_route)
+    came = spread(_Evaluator, maps, first, workers=workers, then=next_on_route)
     for count, (task, block) in enumerate(came, len(tasks) - len(left) + 1):
         if isinstance(block, Block):
             runs.write_block(run, block)
@@ -336,9 +332,9 @@ def _fill_ins(run: runs.Workspace, record: runs.EvaluationRecord) -> dict[str, b
 class _Evaluator:
     """Does tasks in one process, and keeps what was compiled and loaded."""
 
-    def __init__(self, carried: CarriedMap) -> None:
-        self._map = carried.file()
-        self._simulators: dict[tuple[str, Settings], Simulator] = {}
+    def __init__(self, maps: Mapping[str, CarriedMap]) -> None:
+        self._maps = maps
+        self._simulators = OneMap[Simulator]()
         self._failed: dict[str, str] = {}
 
     def __call__(self, given: _Given) -> tuple[_Task, Block | str]:
@@ -354,10 +350,12 @@ class _Evaluator:
 
     def _simulator_of(self, given: _Given) -> Simulator:
         """Where a program is run, which is for its own generator to say; one for all that are alike."""
-        key = (given.generator, given.settings)
-        if key not in self._simulators:
-            self._simulators[key] = simulator_of(load_generator(given.generator), self._map, given.settings)
-        return self._simulators[key]
+        name, generator = given.task.source.map_name, load_generator(given.generator)
+        return self._simulators.on(
+            name,
+            (given.generator, given.settings),
+            lambda: simulator_of(generator, self._maps[name].file(), given.settings),
+        )
 
     def _block(self, given: _Given, simulator: Simulator) -> Block:
         task, ego = given.task, load_ego(given.task.ego)
@@ -413,6 +411,7 @@ def read_drives(run: runs.Workspace) -> list[Drive]:
                     avoidable=row["avoidable"],
                     fault=row["fault"],
                     by_selection=source.kept_for == record.egos[row["block"]],
+                    map_name=source.map_name,
                 )
             )
     return drives
@@ -439,6 +438,7 @@ def read_displacements(run: runs.Workspace) -> list[Displacement]:
                     route=route,
                     ego=record.egos[number],
                     value=average_displacement(tracks),
+                    map_name=source.map_name,
                 )
             )
     return found

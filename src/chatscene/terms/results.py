@@ -17,6 +17,7 @@ class Drive:
 
     Attributes:
         route: Index of the route on the map, for the scenario's geometry.
+        map_name: The map; empty where all that is counted together lies on one.
         fill_in: The scene did not collide with the surrogate ego; it was kept because too few did.
         avoidable: Whether a careful driver would have avoided the collision; None without one.
         fault: Whose own motion closed the gap at the collision; None without one.
@@ -34,6 +35,7 @@ class Drive:
     avoidable: bool | None
     fault: str | None
     by_selection: bool = False
+    map_name: str = ""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -42,6 +44,7 @@ class Displacement:
 
     Attributes:
         route: Index of the route on the map, for the scenario's geometry.
+        map_name: The map; empty where all that is counted together lies on one.
         value: The ADE [m].
     """
 
@@ -51,6 +54,7 @@ class Displacement:
     route: int
     ego: str
     value: float
+    map_name: str = ""
 
 
 @dataclass(frozen=True, slots=True)

@@ -6,7 +6,7 @@ import hashlib
 import json
 import shlex
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
 
 from chatscene import runs
@@ -15,6 +15,7 @@ from chatscene.errors import RunError
 from chatscene.measure.score import measure, score, wilson
 from chatscene.program.ordinary import Course
 from chatscene.runs.rebuild import map_of, rebuild
+from chatscene.runs.together import simulated_alike
 from chatscene.search.generator import GENERATORS, load_generator
 from chatscene.settings import SimulationSettings
 from chatscene.simulate.simulator import SIMULATORS, Simulator, simulate
@@ -79,16 +80,15 @@ def kept_scenes(sources: Sequence[Path], *, simulator: str = "", physics: str = 
     records = [runs.read_record(run) for run in found]
     first = records[0]
     map_of(first)  # it must still be the file that they were made on
-    simulation = _simulation(first, simulator, physics)
+    simulation = simulated_alike(found, records, simulator=simulator, physics=physics)
     scenes: list[KeptScene] = []
     for run, record in zip(found, records, strict=True):
         runs.require_done(run, record)
         settings = runs.settings_of(record)
-        where = (record.map_name, record.map_digest, _simulation(record, simulator, physics))
-        if where != (first.map_name, first.map_digest, simulation):
+        if (record.map_name, record.map_digest) != (first.map_name, first.map_digest):
             raise RunError(
-                f"{run.path} and {found[0].path} differ in map, step, simulator, physics or occlusion; "
-                "fine-tune on them one by one"
+                f"{run.path} lies on map {record.map_name} and {found[0].path} on {first.map_name}, and a fine-tuning "
+                "drives on one map; run the sentences on one, with --map, or fine-tune on them one by one"
             )
         if not simulator and simulation.simulator not in SIMULATORS.built_in:
             raise RunError(
@@ -103,12 +103,6 @@ def kept_scenes(sources: Sequence[Path], *, simulator: str = "", physics: str = 
         rows = [row for row in runs.read_scenes(run) if row["selected"]]
         scenes += [KeptScene(program=made.program, scene=runs.scene_of(row, made.program)) for row in rows]
     return Lessons(map_name=first.map_name, simulation=simulation, scenes=tuple(scenes))
-
-
-def _simulation(record: runs.RunRecord, simulator: str, physics: str) -> SimulationSettings:
-    """How the scenes of a run are simulated: as they were, or in another simulator, or with another physics."""
-    simulation = runs.settings_of(record).simulation
-    return replace(simulation, simulator=simulator or simulation.simulator, physics=physics or simulation.physics)
 
 
 def split(
