@@ -145,13 +145,17 @@ def import_scenario(
 
 @dataclass(frozen=True, slots=True)
 class _Program:
-    """A program that is to be written: its text, its map, what was noted of it, and why it is not driven as written."""
+    """A program that is to be written: its text, its map, what was noted of it, and why it is not driven as written.
+
+    One that a file carries is written as it is carried.
+    """
 
     text: str
     map_path: Path
     notes: tuple[str, ...]
     not_as_written: tuple[str, ...]
     notes_as_written: tuple[str, ...] = ()
+    carried: bool = False
 
 
 def _told(given: Mapping[str, object]) -> dict[str, str]:
@@ -261,7 +265,10 @@ def _written(made: Mapping[Path, _Program], *notes: str) -> ImportedScenario:
             grounds[one.map_path] = out.with_suffix(".xodr")
             _free(grounds[one.map_path])
     maps = tuple(grounds.get(one.map_path, one.map_path) for one in made.values())
-    contents = {out: _on(one.text, at, out).encode() for (out, one), at in zip(made.items(), maps, strict=True)}
+    contents = {
+        out: (one.text if one.carried else _on(one.text, at, out)).encode()
+        for (out, one), at in zip(made.items(), maps, strict=True)
+    }
     contents |= {ground: lies.read_bytes() for lies, ground in grounds.items()}
     for out, content in contents.items():
         try:
