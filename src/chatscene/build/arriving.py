@@ -64,8 +64,8 @@ def out_of_driveway(asked: Asked, turn: Maneuver) -> Stand:
     ways = {way.turn: way for way in ways_out(route.network, route.route, side)}
     if (found := ways.get(turn)) is None:
         raise NoSuchPlace(
-            f"no map has such a place: others.{asked.one.id} needs a driveway on our {side}, out of which a {turn}"
-            " leads over our way"
+            f"no map has such a place: others.{asked.one.id} needs a driveway on our {side} from which its"
+            f" {turn} leads over our way"
         )
     half = 0.5 * asked.numbers.row.limits.length
     near, far = (half + end for end in (AT_MOUTH if asked.stands else INSIDE))

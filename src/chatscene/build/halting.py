@@ -10,7 +10,7 @@ from chatscene.build.gaps import seconds_to_get_by
 from chatscene.build.place import NEXT_LANE, Found, at_junction, has_crosswalks
 from chatscene.terms.scenario import Control, Site
 from chatscene.terms.situation import Deed, Situation
-from chatscene.terms.vocabulary import Act, EgoLight, Feature, Heads, UserKind, Where, acts_of
+from chatscene.terms.vocabulary import Act, EgoLight, Feature, Heads, Tempo, UserKind, Where, acts_of
 
 if TYPE_CHECKING:
     from chatscene.build.actor import Actor
@@ -63,7 +63,7 @@ def _at_line(actor: Actor, k: int) -> bool:
     """Whether it goes before the ego to where one halts, and there is nobody before it."""
     situation = actor.ledger.situation
     line = line_before(situation, actor.found)
-    goes = stops_ahead(actor.one) and all(deed.act in (Act.GO_ALONG, Act.SLOW_DOWN) for deed in actor.deeds[:k])
+    goes = stops_ahead(actor.one) and all(deed.act in acts_of(Heads.ALONG, Tempo.SLOWS) for deed in actor.deeds[:k])
     first = next(one for one in situation.others if one.starts.where is Where.AHEAD) if goes else None
     along = actor.stand.meets is Meets.ALONG and not actor.stand.rolls and not actor.ego.stands
     return line is not None and goes and first is actor.one and along

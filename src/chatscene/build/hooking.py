@@ -14,7 +14,7 @@ from chatscene.maps.open_road import OPEN_ROAD
 from chatscene.maps.routes import APPROACHES
 from chatscene.maps.sites import PAST
 from chatscene.maps.ways_off import turns_at
-from chatscene.terms.vocabulary import Act
+from chatscene.terms.vocabulary import Act, Tempo, acts_of
 
 if TYPE_CHECKING:
     from chatscene.build.actor import Actor
@@ -41,7 +41,7 @@ def hooks_at(actor: Actor) -> int | None:
 
 def slows_to_turn(actor: Actor, k: int) -> str:
     """When somebody must slow down by its k-th deed who turns off then; empty of who slows down anywhere."""
-    slows = actor.deeds[k].act in (Act.BRAKE, Act.SLOW_DOWN) and actor.deeds[k].when is None
+    slows = actor.deeds[k].act in acts_of(Tempo.BRAKES, Tempo.SLOWS) and actor.deeds[k].when is None
     if not slows or hooks_at(actor) != k + 1:
         return ""
     route, side = actor.found.route, "left" if actor.deeds[k + 1].act is Act.TURN_LEFT else "right"

@@ -14,6 +14,7 @@ from chatscene.terms.order import Order
 from chatscene.terms.situation import EGO, Deed, Other, Situation, When
 from chatscene.terms.vocabulary import (
     CHANGES,
+    HALTS,
     SIDES_OF,
     SIDEWAYS,
     Act,
@@ -65,7 +66,7 @@ def halts(situation: Situation) -> int | None:
         return None
     if any(deed.act in _GOES_ON for deed in ego.does):
         return None
-    stops = (k for k, deed in enumerate(ego.does) if deed.act in (Act.STOP, Act.STAND))
+    stops = (k for k, deed in enumerate(ego.does) if deed.act in HALTS)
     k = next(stops, None)
     free = k is not None and (situation.answered(ego.does[k]) is None or backed_into(situation) is not None)
     return k if free else None
@@ -75,7 +76,7 @@ def backed_into(situation: Situation) -> Other | None:
     """Who ahead of the ego, in its lane, stands at first and is to back into it, as was said of their contact."""
     for one in situation.others:
         acts = [deed.act for deed in one.does]
-        backs_up = Act.REVERSE in acts[:2] and acts[0] in (Act.STAND, Act.REVERSE)
+        backs_up = Act.REVERSE in acts[:2] and acts[0] in acts_of(Tempo.STANDS, Tempo.BACKS)
         placed = one.starts.where is Where.AHEAD and one.starts.distance is None
         if backs_up and placed and one.kind.moves is Moves.DRIVES and touches(situation, one):
             return one

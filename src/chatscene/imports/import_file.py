@@ -235,7 +235,8 @@ def _program(read: Imported | Carried, path: Path, out: Path) -> _Program:
             raise ScenarioError(
                 f"{path} carries a program that cannot be run: {why}; leave out its properties"
             ) from error
-        return _Program(text, read.map_path, read.notes, ("it carries a program, which has no events of an ego",))
+        why_not = ("it carries a program, which has no events of an ego",)
+        return _Program(text, read.map_path, read.notes, why_not, carried=True)
     board = read.board
     if isinstance(board, StoryProgram):
         text = written_story(board, path.name)
