@@ -7,7 +7,7 @@ from typing import Any
 
 from hypothesis import strategies as st
 
-from chatscene.situations.check import JUNCTIONS, TO_A_SIDE, TURNS
+from chatscene.situations.check import JUNCTIONS, TURNS, goes_over
 from chatscene.terms.act_amounts import AMOUNTS
 from chatscene.terms.amount import Acceleration, Amount, Duration, Length, Share, Speed
 from chatscene.terms.situation import (
@@ -25,6 +25,7 @@ from chatscene.terms.situation import (
 )
 from chatscene.terms.surroundings import Light, Surface, Weather
 from chatscene.terms.vocabulary import (
+    ENDS_THERE,
     Act,
     Breach,
     EgoLight,
@@ -130,6 +131,8 @@ def situations(draw: st.DrawFn) -> Situation:
     road = replace(road, ego_light=light, ego_lane=lane)
     at_junction = road.kind is None or road.kind in JUNCTIONS
     routes = [route for route in EgoRoute if at_junction or route not in TURNS]
+    if road.kind in ENDS_THERE:
+        routes.remove(EgoRoute.STRAIGHT)
     earlier: list[str] = []
     lit = road.control in (None, RightOfWay.SIGNAL)
     signed = road.control in (None, RightOfWay.STOP_SIGN)
@@ -154,7 +157,8 @@ def situations(draw: st.DrawFn) -> Situation:
             lateral=draw(maybe(laterals())),
         )
         side = start.side or (where.row.sides[0] if len(where.row.sides) == 1 else None)
-        does = [replace(one, to=None) if one.act in TO_A_SIDE and one.to is side else one for one in does]
+        made = Other(id=name, kind=kind, starts=start, does=tuple(does))
+        does = [replace(one, to=None) if goes_over(made, k) and one.to is side else one for k, one in enumerate(does)]
         role = Role.ADVERSARY if not others else draw(st.sampled_from(Role))
         hidden = draw(maybe(st.sampled_from([one.id for one in others]))) if others else None
         count = draw(st.sampled_from((1, 1, 1, 2, 0)))

@@ -313,7 +313,7 @@ def test_a_damaged_checkpoint_is_said_to_be_one(tmp_path: Path) -> None:
 def test_settings_that_cannot_be_are_refused() -> None:
     with pytest.raises(SettingsError, match="no algorithm 'dqn'"):
         TrainSettings(algorithm="dqn")
-    with pytest.raises(SettingsError, match="does not fit"):
+    with pytest.raises(SettingsError, match="longer than a training"):
         TrainSettings(steps=10, round=20)
     with pytest.raises(SettingsError, match="multiple"):
         TrainSettings(algorithm="ppo", steps=2000, round=1500)

@@ -41,7 +41,7 @@ from chatscene.maps.road_spec import Signs
 from chatscene.maps.routes import APPROACHES, ELSEWHERE
 from chatscene.maps.sites import APPROACHED, PASSED, PAST
 from chatscene.maps.ways_off import NARROWEST
-from chatscene.situations.check import TO_A_SIDE
+from chatscene.situations.check import goes_over
 from chatscene.situations.facts import said_in
 from chatscene.terms.amount import Length
 from chatscene.terms.backing import backs, turned_about
@@ -398,7 +398,7 @@ def comes_from(one: Other) -> Side | None:
     past = next((deed.to for deed in one.does if deed.act is Act.OVERTAKE and deed.to is not None), None)
     if past is not None and one.starts.where in NEXT_LANE:
         return past
-    to = next((deed.to for deed in one.does if deed.act in TO_A_SIDE and deed.to is not None), None)
+    to = next((deed.to for k, deed in enumerate(one.does) if goes_over(one, k) and deed.to is not None), None)
     return None if to is None else Side.LEFT if to is Side.RIGHT else Side.RIGHT
 
 

@@ -27,6 +27,7 @@ from chatscene.terms.vocabulary import (
     RightOfWay,
     RoadKind,
     UserKind,
+    Where,
     acts_of,
 )
 
@@ -122,6 +123,16 @@ def _too_many(situation: Situation) -> Iterator[Fault]:
             yield Fault(path, f"{len(does)} deeds are too many; at most {MOST}")
 
 
+_AT_EDGE = frozenset((Where.KERB, Where.BUS_BAY))
+"""Places beside the lane at the edge, out of which one comes over only to the other side."""
+
+
+def goes_over(one: Other, k: int) -> bool:
+    """Whether somebody goes by its k-th deed to the side on which it does not begin."""
+    act = one.does[k].act
+    return act in TO_A_SIDE or (k == 0 and one.starts.where in _AT_EDGE and act in acts_of(Heads.OVER))
+
+
 def on_another_side(one: Other, at: Path) -> Iterator[Fault]:
     """That somebody is to begin on a side on which its place never lies, where traffic keeps to the right."""
     where, side = one.starts.where, one.starts.side
@@ -145,7 +156,7 @@ def _of_other(situation: Situation, one: Other, at: Path) -> Iterator[Fault]:
         if one.hidden_by == one.id:
             yield Fault((*at, "hidden_by"), "nobody hides itself")
     for k, deed in enumerate(one.does):
-        if deed.act in TO_A_SIDE and deed.to is not None and deed.to is side:
+        if goes_over(one, k) and deed.to is not None and deed.to is side:
             yield Fault((*at, "does", k, "to"), f"it starts on the {deed.to}, so it can only move to the other side")
         if not one.kind.can(deed.act):
             yield Fault((*at, "does", k, "act"), f"{one.kind!s} {_WAYS[one.kind.moves]}, and cannot {deed.act!s}")
