@@ -260,3 +260,8 @@ def test_a_sentence_of_day_and_dry_makes_the_program_that_it_made_before() -> No
     assert "surface = 'wet'" in wet.program.source
     assert "as said" in str(wet)
     assert wet.as_dict()["scenarios"][0]["surroundings"] == {"surface": "wet"}
+
+
+def test_an_overcast_sky_hides_nobody_and_dust_does_as_fog_does() -> None:
+    assert Surroundings(weather=Weather.OVERCAST).sight(lit=True) == Surroundings().sight(lit=True)
+    assert Surroundings(weather=Weather.DUST).sight(lit=True) == Surroundings(weather=Weather.FOG).sight(lit=True)

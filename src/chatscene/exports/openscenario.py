@@ -100,7 +100,7 @@ def environment(surroundings: Surroundings) -> Xml.Element:
                 element("TimeOfDay", {"animation": False, "dateTime": _OCLOCK[surroundings.light]}),
                 element(
                     "Weather",
-                    {},
+                    {"fractionalCloudCover": "eightOktas"} if weather is Weather.OVERCAST else {},
                     *([element("Fog", {"visualRange": sight})] if math.isfinite(sight) else []),
                     element("Precipitation", {"precipitationType": falls, "precipitationIntensity": intensity}),
                 ),

@@ -118,7 +118,7 @@ def _schema() -> bytes:
 
 def _surround(conditions: EnvironmentalConditions, surroundings: Surroundings) -> None:
     illumination, hour = _ILLUMINATION[surroundings.light]
-    falls, fog = surroundings.weather in _FALLS, surroundings.weather is Weather.FOG
+    falls, fog = surroundings.weather in _FALLS, surroundings.weather in (Weather.FOG, Weather.DUST)
     conditions.ambient_illumination = illumination
     conditions.time_of_day.seconds_since_midnight = hour * 3600
     conditions.precipitation = (

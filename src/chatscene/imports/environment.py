@@ -11,6 +11,8 @@ from chatscene.terms.nouns import with_article
 from chatscene.terms.surroundings import Light, Surface, Surroundings, Weather
 
 _FOG = 200.0  # [m] of sight, below which it is foggy
+_OVERCAST = frozenset(("sevenOktas", "eightOktas", "overcast"))
+"""How much of the sky is covered where it is overcast, as newer and older files say it."""
 _FALLS = {"dry": Weather.CLEAR, "rain": Weather.RAIN, "snow": Weather.SNOW}
 _ELSEWHERE = frozenset(("EntityAction", "ParameterAction", "VariableAction"))  # what other readers see to
 NO_MONITORS = "there are no monitors here"
@@ -78,6 +80,9 @@ def _weather(weather: Element, given: Given) -> Weather:
     wind = weather.find("Wind")
     if wind and given.number(wind, "speed", "0"):
         given.note(wind, "there is no wind here")
+    clouds = given.text(weather, "fractionalCloudCover", given.text(weather, "cloudState", ""))
+    if sky in (None, Weather.CLEAR) and clouds in _OVERCAST:
+        sky = Weather.OVERCAST
     return sky or Weather.CLEAR
 
 

@@ -213,6 +213,8 @@ WEATHERS: Mapping[Weather, str] = {
     Weather.RAIN: "it is raining",
     Weather.SNOW: "it is snowing",
     Weather.FOG: "it is foggy",
+    Weather.OVERCAST: "the sky is overcast",
+    Weather.DUST: "dust is in the air",
 }
 SURFACES: Mapping[Surface, str] = {
     Surface.DRY: "the road is dry",

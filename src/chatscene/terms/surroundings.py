@@ -93,6 +93,8 @@ class Weather(_Row):
     RAIN = ("rain", Condition(said="rain", words=r"rain(?:s|ing|y|ed|storm|fall)?|drizzl\w*|downpours?|showers"))
     SNOW = ("snow", Condition(said="snowfall", words=r"snow(?:s|ing|y|ed|fall|storm)?|blizzard"))
     FOG = ("fog", Condition(said="fog", words=r"fog(?:gy|s)?", sight=40.0))
+    OVERCAST = ("overcast", Condition(said="overcast sky", words=r"overcast|cloudy|gr[ae]y sky"))
+    DUST = ("dust", Condition(said="dust", words=r"dust ?storm|sand ?storm|dusty air|clouds? of dust", sight=40.0))
 
 
 _ROADS = r"(?:roads?|streets?|roadway|surface|asphalt|tarmac|pavement|conditions?|carriageway|lanes?|bend|curve)"

@@ -16,7 +16,7 @@ WETNESS = 80.0  # [%]
 
 def weather_of(around: Surroundings) -> Any:
     """What the wheel is asked for; the numbers are chosen by eye from its presets, and move nothing."""
-    rain, fog = around.weather is Weather.RAIN, around.weather is Weather.FOG
+    rain, fog = around.weather is Weather.RAIN, around.weather in (Weather.FOG, Weather.DUST)
     wet = 0.0 if around.surface is Surface.DRY else WETNESS
     return carla.WeatherParameters(
         sun_altitude_angle=SUN[around.light],
