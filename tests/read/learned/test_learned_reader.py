@@ -24,6 +24,7 @@ from chatscene.situations.form import from_plain
 from chatscene.terms.amount import Acceleration, Duration
 from chatscene.terms.reading import Verdict
 from chatscene.terms.scenario import Side
+from chatscene.terms.surroundings import Weather
 from chatscene.terms.vocabulary import Act, Feature, Where
 from making.reader.sequence import steps_of
 
@@ -203,3 +204,8 @@ def test_a_headway_is_no_time_that_somebody_brakes_for_and_is_told_as_not_read()
     (lead,) = read.ranked[0].situation.others
     assert [deed.time for deed in lead.does] == [None]
     assert any("headway" in words for words in read.unread)
+
+
+def test_an_overcast_sky_is_not_read_as_a_clear_one() -> None:
+    read = LearnedReader().read("Under an overcast sky, a car comes out of a driveway on the right.")
+    assert read.ranked[0].situation.around.weather is Weather.OVERCAST

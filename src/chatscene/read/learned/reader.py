@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+import re
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import lru_cache
 from pathlib import Path
@@ -29,6 +30,7 @@ from chatscene.situations.main_facts import same_in_the_main, within_the_main
 from chatscene.situations.parts import fullness, left_open, parts_of
 from chatscene.terms.reading import Ranked, SituationReading, Verdict
 from chatscene.terms.situation import Evidence, Situation
+from chatscene.terms.surroundings import Weather
 from chatscene.terms.vocabulary import Feature, Heads, UserKind, acts_of
 
 PLUGIN = {
@@ -193,7 +195,7 @@ def _by_grammar(way: Way, read: Read) -> Way:
     a gap where the text says how long something lasts, or the reverse, or parked cars of the road that are somebody of
     their own.
     """
-    situation, owned = _once(way, read), owned_kind(read.text)
+    situation, owned = _under_its_sky(_once(way, read), quoted_of(read, way.written)), owned_kind(read.text)
     if owned is not None and situation.ego.kind is None and not _told_by(way, read):
         situation = replace(situation, ego=replace(situation.ego, kind=owned[0]))
     contact = situation.contact
@@ -201,6 +203,15 @@ def _by_grammar(way: Way, read: Read) -> Way:
         words = quoted_of(read, way.written).get("contact.happens", "")
         situation = replace(situation, contact=None if is_a_duty(words, read.text) else contact)
     return replace(way, situation=settled(situation, read.text, marked_in(read, way.written)))
+
+
+def _under_its_sky(situation: Situation, quoted: Mapping[str, str]) -> Situation:
+    """A situation whose weather is what its words name, where that was never learned and it was taken for another."""
+    was, words = situation.around.weather, quoted.get("around.weather", "")
+    if was is None or re.search(was.row.words, words, re.IGNORECASE):
+        return situation
+    named = next((one for one in Weather if re.search(one.row.words, words, re.IGNORECASE)), was)
+    return replace(situation, around=replace(situation.around, weather=named))
 
 
 def _once(way: Way, read: Read) -> Situation:
