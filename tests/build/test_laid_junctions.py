@@ -104,7 +104,7 @@ def test_a_t_has_the_arms_that_are_come_from_and_taken(
         ({"kind": "four-way", "diameter": "20 m"}, {}, "only a roundabout has one"),
         ({"kind": "four-way"}, {"exit": 2}, "only a roundabout has one"),
         ({"kind": "roundabout", "arms": 3}, {"exit": 4}, "4 is none of its exits: it has 3 at most"),
-        ({"kind": "fork"}, {"route": "straight"}, "nobody goes straight on a fork"),
+        ({"kind": "fork"}, {"route": "straight"}, "no way straight on where the road is a fork"),
     ],
 )
 def test_arms_and_exits_that_exclude_each_other_are_refused(

@@ -6,10 +6,12 @@ import re
 from typing import Any
 
 import pytest
+from test_building import drive
 
 from chatscene.build.build import build
 from chatscene.errors import NotBuilt, SituationError
 from chatscene.situations.form import from_plain
+from chatscene.terms.episode import Episode
 from chatscene.terms.vocabulary import EgoRoute, Feature, RightOfWay, RoadKind, Setting, UserKind, Where
 
 ANY_ROAD = frozenset(
@@ -94,3 +96,11 @@ def test_a_place_that_was_said_is_seen_or_told_or_refused(field: str, word: Any,
 
 def _sign(word: Any, assumed: tuple[str, ...]) -> bool:
     return word is RightOfWay.YIELD_SIGN and any("give-way sign" in one for one in assumed)
+
+
+def test_signs_of_two_features_stand_beside_each_other_and_cones_are_told_where_they_are() -> None:
+    walks = {"id": "A", "kind": "pedestrian", "starts": {"where": "roadside"}, "does": [{"act": "cross"}]}
+    built = build(from_plain({"road": {"has": ["roadworks", "closed-lane"]}, "others": [walks]}))
+    assert isinstance(drive(built, seed=1), Episode)
+    assert "roadworks: a sign stands beside the road" in built.assumed
+    assert any("cones close the ego's lane" in one for one in built.assumed)

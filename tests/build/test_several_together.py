@@ -101,7 +101,7 @@ def test_an_ego_stops_in_its_lane_and_stays_where_others_act_once_it_has() -> No
     }
     one, tracks, _ = driven(**said)
     ego, car = tracks["ego"], tracks["A"]
-    assert any("keeps its line until it has stopped" in told for told in one.assumed)
+    assert any("keeps its lane until it has stopped" in told for told in one.assumed)
     assert abs(ego.speed[-1]) < 0.1
     line = simulator(one.map).route(one.program, 0).line
     assert abs(line.project(float(ego.x[-1]), float(ego.y[-1]))[1]) < 0.5

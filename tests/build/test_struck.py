@@ -9,6 +9,7 @@ from test_contacts import STRUCK, driven, track
 from test_towards import car, deed, others
 
 from chatscene.build.build import build
+from chatscene.build.struck import slows_turning
 from chatscene.terms.episode import Episode
 
 SEEDS = (0, 1)
@@ -66,4 +67,11 @@ def test_an_ego_that_slows_down_in_a_turn_has_begun_to_turn_when_it_is_struck(se
 
 def test_how_an_ego_sets_off_that_is_struck_then_is_told() -> None:
     said = others(car("A", "behind", deed("go-along")), ego={"does": [deed("set-off")]}, contact=STRUCK)
-    assert any("the ego sets off at" in one for one in build(said).assumed)
+    assert any("the ego sets off slowly, at" in one for one in build(said).assumed)
+
+
+def test_an_ego_that_is_struck_as_it_turns_to_a_side_that_was_not_said_slows_in_the_turn() -> None:
+    slows = {"does": [deed("slow-down")]}
+    for route in ("left-turn", "turn"):
+        ego = {"route": route, **slows}
+        assert slows_turning(others(car("A", "behind", deed("go-along")), ego=ego, contact=STRUCK))

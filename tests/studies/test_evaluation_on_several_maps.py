@@ -137,9 +137,9 @@ def test_a_map_that_is_another_file_by_now_is_told(searched: Path, tmp_path: Pat
         (
             {"dt": 0.05, "simulator": "embedded"},
             "differ in step [s] (0.05 and 0.1), simulator (embedded and native); name one for all, as with "
-            "--simulator native; and run one of them again as the other was, or take each by itself",
+            "--simulator native; and repeat one run with the other's settings, or take each by itself",
         ),
-        ({"occlusion": False}, "differ in occlusion (off and on); run one of them again as the other was"),
+        ({"occlusion": False}, "differ in occlusion (off and on); repeat one run with the other's settings"),
     ],
 )
 def test_what_keeps_runs_from_being_driven_together_is_told_with_both_values(

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from chatscene.build.place import arm_of, arms_said, at_roundabout, only_side_signs, ring_arms, says_way, way_of
+from chatscene.build.place import arm_of, at_roundabout, only_side_signs, ring_arms, says_way, way_of
 from chatscene.maps.road_spec import Meets, Sides, Signs
 from chatscene.maps.writing.rings import MINI
+from chatscene.situations.check import arms_said
 from chatscene.terms.scenario import Maneuver
 from chatscene.terms.situation import Other, Situation
 from chatscene.terms.vocabulary import (
@@ -41,7 +42,8 @@ _SIGNS = {RightOfWay.SIGNAL: Signs.SIGNAL, RightOfWay.STOP_SIGN: Signs.STOP, Rig
 
 def meets(situation: Situation) -> Meets:
     """Which arms there are beside the ego's road: as was said, else those that somebody comes from or takes."""
-    road, arms = situation.road, arms_said(situation)
+    road = situation.road
+    arms = arms_said(road)
     if road.side_road is not None:
         return _OF_SIDE[road.side_road]
     if road.kind in _OF_KIND:

@@ -58,14 +58,14 @@ def out_of_driveway(asked: Asked, turn: Maneuver) -> Stand:
     """In a driveway out of which it turns onto the road: some way inside, so that it does not stop at its mouth.
 
     Raises:
-        NotBuilt: The road has no driveway there, or nobody who turns so comes over the ego's way.
+        NotBuilt: The road has no driveway there, or nobody who turns so crosses the ego's way.
     """
     route, side = asked.found.route, asked.side
     ways = {way.turn: way for way in ways_out(route.network, route.route, side)}
     if (found := ways.get(turn)) is None:
         raise NoSuchPlace(
             f"no map has such a place: others.{asked.one.id} needs a driveway on our {side} from which its"
-            f" {turn} leads over our way"
+            f" {turn} crosses our way"
         )
     half = 0.5 * asked.numbers.row.limits.length
     near, far = (half + end for end in (AT_MOUTH if asked.stands else INSIDE))

@@ -27,9 +27,9 @@ from chatscene.build.deeds import (
     SLIDES,
     STEPS_BACK,
     Steps,
+    by_way_off,
     gets_by,
     goes_on_beside,
-    leaving_road,
     lets_by,
     near_to_pass,
     passes_against,
@@ -173,7 +173,7 @@ def _turning_off(actor: Actor, k: int) -> Iterator[tuple[Act, Steps]]:
     actor.named["off"] = side
     driveway = route.route.junction is None
     ends = wayOff(route, side).length if driveway else None
-    yield act, leaving_road(at - route.eventAt, ends, comes=not stands_first(actor.one))
+    yield act, by_way_off(at - route.eventAt, ends, comes=not stands_first(actor.one))
 
 
 def _changing_lanes(actor: Actor, k: int) -> Iterator[tuple[Act, Steps]]:

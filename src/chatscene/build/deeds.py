@@ -118,6 +118,14 @@ _LEAVES = (
     "DrivePath({p}, $SPEED, {aside} * $OFF) for 1.8 seconds",
     f"BrakeOnPath({{p}}, $BRAKE, {{aside}} * $OFF) until {STILL}",
 )
+
+
+def _to_a_stand(row: tuple[str, ...]) -> Steps:
+    """Who comes to a stand by a row of steps, and stays there."""
+    stands = (*row, "Halt() for $STOP_TIME seconds")
+    return Steps(does=stands, last=(*row, "Halt()"), still=True, going=True, pace=Pace.STANDS)
+
+
 ALONG: dict[Act, Steps] = {
     **_each((Act.GO_ALONG, Act.GO_STRAIGHT, Act.FOLLOW, Act.EXIT, *_TURNS), _GOES),
     Act.STAND: _STANDS,
@@ -139,13 +147,7 @@ ALONG: dict[Act, Steps] = {
             pace=Pace.STANDS,
         ),
     ),
-    Act.LOSE_CONTROL: Steps(
-        does=(*_SPINS, "Halt() for $STOP_TIME seconds"),
-        last=(*_SPINS, "Halt()"),
-        still=True,
-        going=True,
-        pace=Pace.STANDS,
-    ),
+    Act.LOSE_CONTROL: _to_a_stand(_SPINS),
     Act.SLOW_DOWN: Steps(
         does=(_EASES, f"DrivePath({{p}}, $SLOW) for {SLOW_FOR:g} seconds"),
         last=(_EASES, "DrivePath({p}, $SLOW)"),
@@ -244,13 +246,7 @@ ALONG: dict[Act, Steps] = {
         going=True,
         pace=Pace.STANDS,
     ),
-    Act.LEAVE_ROAD: Steps(
-        does=(*_LEAVES, "Halt() for $STOP_TIME seconds"),
-        last=(*_LEAVES, "Halt()"),
-        still=True,
-        going=True,
-        pace=Pace.STANDS,
-    ),
+    Act.LEAVE_ROAD: _to_a_stand(_LEAVES),
     Act.YIELD: Steps(does=(BRAKES, _BY), last=(BRAKES, _BY, GO), still=True, going=True, pace=Pace.STANDS),
 }
 """Of somebody who goes the ego's way, comes through a junction, or leaves the kerb."""
@@ -304,7 +300,13 @@ def turning_off(act: Act, *, junction: bool) -> Steps:
     )
 
 
-def leaving_road(at: float, ends: float | None, *, comes: bool) -> Steps:
+def must_slow(at: float) -> str:
+    """When somebody must slow down to turn so far [m] beyond the event of the ego's way, as a program says it."""
+    there = f"egoRoute.eventAt {'-' if at < 0.0 else '+'} {abs(at):.3g}"
+    return f"progressOn(egoRoute, self)[0] + brakingDistance(self) / {EASES:g} > {there}"
+
+
+def by_way_off(at: float, ends: float | None, *, comes: bool) -> Steps:
     """How somebody leaves the ego's road along the way that leads into an arm of its junction, or into a driveway.
 
     Args:
@@ -312,8 +314,7 @@ def leaving_road(at: float, ends: float | None, *, comes: bool) -> Steps:
         ends: How long [m] that way is, at the end of which it halts; None where it leads on.
         comes: Whether it comes driving, and so slows down before.
     """
-    begins, along = f"egoRoute.eventAt {'-' if at < 0.0 else '+'} {abs(at):.3g}", "progressOn(egoRoute, self)[0]"
-    slows = (f"DrivePath({{p}}, $SPEED) until {along} + brakingDistance(self) / {EASES:g} > {begins}", _TO_TURN)
+    slows = (f"DrivePath({{p}}, $SPEED) until {must_slow(at)}", _TO_TURN)
     off = "DrivePath({off}, $SLOW)"
     left = f"distanceLeft({{off}}, self, {ends:.1f}) < brakingDistance(self) + self.length / 2 + 1" if ends else ""
     before, binds = slows if comes else (), {"speed": "SLOW"}

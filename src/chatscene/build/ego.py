@@ -177,7 +177,7 @@ def _struck_as_it_sets_off(ledger: Ledger, speed: float) -> Iterator[Order]:
         return
     first, (slow, who) = ledger.situation.ego.does[0], creeps
     stands = STANDS_FOR if first.act is not Act.STAND else _wait(first, ledger.situation.ego.does[1:])
-    ledger.assume(f"the ego sets off at {3.6 * slow:.0f} km/h, as {who} runs into its rear then")
+    ledger.assume(f"the ego sets off slowly, at {3.6 * slow:.0f} km/h, because {who} then runs into its rear")
     if first.act is not Act.STAND:
         yield Order(at_most=0, till=stands)
     yield Order(at_most=round(slow, 2), till=2.0 * stands)
@@ -369,7 +369,7 @@ def _stops_for_others(ledger: Ledger, k: int, speed: float) -> tuple[Order, ...]
     named = (name for when in whens for name in (when.after, when.during) if name and name.startswith(f"{EGO}."))
     if all(situation.number_of(name) != k for name in named):
         return ()
-    ledger.assume("the ego keeps its line until it has stopped, since others act then")
+    ledger.assume("the ego keeps its lane until it has stopped, because other road users wait for that")
     stops = Order(at_most=0, since=round(speed / HALTS, 2), braking=HALTS, within=STOPS_WITHIN * speed)
     return Order(aside=0.0), waiting(stops, *waits)
 

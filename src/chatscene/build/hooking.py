@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from chatscene.build.asked import Meets, stands_first
 from chatscene.build.coming import wanted_by
-from chatscene.build.deeds import EASES, OFF
+from chatscene.build.deeds import EASES, OFF, must_slow
 from chatscene.build.gaps import seconds_to_get_by
 from chatscene.build.place import DRIVEWAYS, NEXT_LANE, at_junction, hooks_off, passed_before, turns_in_ahead
 from chatscene.build.sideways import USUAL
@@ -45,11 +45,8 @@ def slows_to_turn(actor: Actor, k: int) -> str:
     if not slows or hooks_at(actor) != k + 1:
         return ""
     route, side = actor.found.route, "left" if actor.deeds[k + 1].act is Act.TURN_LEFT else "right"
-    if (at := turns_at(route.network, route.route, side)) is None:
-        return ""
-    begins = at - route.eventAt
-    where = f"egoRoute.eventAt {'-' if begins < 0.0 else '+'} {abs(begins):.3g}"
-    return f"progressOn(egoRoute, self)[0] + brakingDistance(self) / {EASES:g} > {where}"
+    at = turns_at(route.network, route.route, side)
+    return "" if at is None else must_slow(at - route.eventAt)
 
 
 def leaves_at(actor: Actor) -> int | None:

@@ -34,7 +34,7 @@ RANGES: dict[str, tuple[float, float, str, str]] = {
     "SLIDE": (0.6, 0.8, "1", "how much it loses of its speed as it slides, of what its brakes give"),
     "SWERVE_TIME": (1, 1.6, "s", "for how long it swerves"),
     "DRIFT": (1.4, 2, "m", "how far it drifts"),
-    "OFF": (3.1, 4.0, "m", "how far aside of its line it leaves the road"),
+    "OFF": (3.1, 4.0, "m", "how far from its line it stops beside the road"),
     "NEAR_TIME": (2, 3, "s", "for how long it goes on before the ego"),
     "PACE_TIME": (2, 3.5, "s", "for how long it keeps so"),
     "LEVEL": (-2, 2, "m", "how far ahead of the ego it keeps"),

@@ -24,6 +24,7 @@ from chatscene.build.reacting import ego_slows, goes_until_ego_slows, is_late, l
 from chatscene.build.relations import AGAINST, ALONG, grip_of
 from chatscene.build.revealed import shows_slow
 from chatscene.build.sideways import clears_in
+from chatscene.build.starts import FARTHEST
 from chatscene.build.timing import Course, Meeting, course
 from chatscene.build.towards import done_to
 from chatscene.build.under_way import BRAKE, INSIDE, UnderWay
@@ -41,7 +42,6 @@ LASTS = 3.0  # [s] in which the last of what somebody does is seen
 SPARE = 30.0  # [m] of road behind who comes against the ego, for those behind it
 _ANYWHERE = (None, Site.MOTORWAY, Site.RURAL)
 LETS_BY = 2.5  # [s] before somebody comes by that another brakes to let it by
-FARTHEST_BEHIND = 52.0  # [m] that who comes from behind in the next lane begins behind the ego at most
 NEAREST = 4.0  # [m] before a junction: who is nearer is in it
 DRIVES = 1.0  # [s]: who drives so long before it brakes is seen to come driving
 OPENS_FOR = 1.5  # [s] in which the ego comes to a door, at least, that is opened before it
@@ -352,7 +352,7 @@ class Opening(UnderWay):
             gains = max(0.0, fastest - actor.ego_speed) * actor.found.route.eventAt / actor.ego_speed
             low, high = low + gains, high + gains
             if self._comes_by():  # or it would be by before it has done anything
-                most = max(high, FARTHEST_BEHIND)
+                most = max(high, FARTHEST)
                 comes = self._wish() * (self._wait() + DRIVES)
                 low, high = min(max(low, comes), most), min(max(high, comes + NEAREST), most)
         actor.numbers.measure("Y", low, high, unit, meaning)

@@ -171,7 +171,7 @@ class Phases:
             actor.numbers.narrow("OFFSET", *OPENS_AHEAD)
         elif not touches(actor.ledger.situation, one):
             actor.numbers.narrow("OFFSET", *OPENS_IN_TIME)
-        elif touches(actor.ledger.situation, one):
+        else:
             contact = actor.ledger.situation.contact
             into = contact is not None and contact.striker is Striker.OTHER
             actor.numbers.narrow("OFFSET", *(OPENS_INTO if into else OPENS_BEFORE))

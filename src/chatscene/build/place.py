@@ -8,7 +8,7 @@ from typing import Any
 
 from chatscene.maps.ring_ways import ROUND
 from chatscene.maps.road_spec import LaidRoad, is_laid, road_of
-from chatscene.situations.check import RULED_BY, TURNS
+from chatscene.situations.check import RULED_BY, TURNS, arms_said
 from chatscene.terms.actors import PROPS
 from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.backing import backs
@@ -360,12 +360,6 @@ def from_left(situation: Situation, one: Other) -> bool:
     return out and one.starts.where is Where.ARM and one.starts.side in (Side.LEFT, None)
 
 
-def arms_said(situation: Situation) -> int | None:
-    """How many arms were said, by their number or by the kind of the junction."""
-    road = situation.road
-    return road.arms if road.kind is None else ARMS_OF.get(road.kind, road.arms)
-
-
 def says_way(one: Other) -> bool:
     """Whether it was said where somebody goes who comes through a junction."""
     return any(deed.act in (*WAYS, Act.ENTER, Act.GO_STRAIGHT) for deed in one.does)
@@ -378,7 +372,7 @@ def ways_of(situation: Situation, one: Other, arm: str) -> tuple[Maneuver, ...]:
     """
     first = way_of(situation, one, arm)
     at_fork = situation.road.kind is RoadKind.FORK and first is Maneuver.STRAIGHT
-    if arms_said(situation) != 3 or (says_way(one) and not at_fork):
+    if arms_said(situation.road) != 3 or (says_way(one) and not at_fork):
         return (first,)
     return tuple(dict.fromkeys((first, Maneuver.STRAIGHT, Maneuver.LEFT_TURN, Maneuver.RIGHT_TURN)))
 

@@ -13,7 +13,7 @@ from enum import Enum
 
 from chatscene.build.contact import is_held_up, strikes_from_behind
 from chatscene.build.place import NEXT_LANE
-from chatscene.build.struck import AT, runs_into
+from chatscene.build.struck import SHARES, runs_into
 from chatscene.build.timing import HELD, Body
 from chatscene.errors import NotBuilt
 from chatscene.maps.open_road import PASSING, SWING
@@ -135,7 +135,7 @@ def speed_beside(situation: Situation, one: Other, ego: float) -> tuple[float, f
         most = passed_share(situation, one) * ego
         return _SLOWER * most, most
     if (does := runs_into(situation, one)) is not None:
-        low, high = AT[does]
+        low, high = SHARES[does]
         return low * ego, high * ego
     relation = relation_of(situation, one)
     if relation is None:

@@ -10,7 +10,7 @@ from chatscene.build.closures import cones_of
 from chatscene.build.halting import HARD, SERVES, bus_stop_of, of_itself
 from chatscene.build.hiding import BESIDE
 from chatscene.build.ledger import Ledger
-from chatscene.build.place import at_junction, between_bays
+from chatscene.build.place import at_junction, between_bays, stands_in_closed_lane
 from chatscene.terms.actors import LIMITS
 from chatscene.terms.backing import backs
 from chatscene.terms.scene import CAR
@@ -28,7 +28,7 @@ BY_ONE = 4  # cars that are parked before one who stands in their row, and behin
 ROW = tuple(-26.5 + 6.5 * n for n in range(9))  # [m] beyond who is met, on a side on which nobody is
 BEFORE_JUNCTION = 12.0  # [m]
 SIGN_BEFORE = 30.0  # [m] before who is met
-SIGN_ASIDE = 2.0  # [m] outside the lanes
+SIGN_ASIDE, SIGNS_APART = 2.0, 1.5  # [m] outside the lanes; from one to the next
 AT_KERB = 1.3  # [m] outside the lanes
 IN_BAY = 2.6  # [m] outside the lanes is the middle of a car in a bay
 
@@ -45,7 +45,7 @@ def beside_road(ledger: Ledger, everybody: Sequence[Actor]) -> Iterator[str]:
             ledger.take(f"road.has.{i}")
             if all(actor.one.kind is not UserKind.BUS_SHELTER for actor in everybody):
                 yield from _shelter(ledger.situation, everybody)
-        elif feature in _TOLD and not backs(ledger.situation):
+        elif feature in _SIGNED and not backs(ledger.situation):
             ledger.take(f"road.has.{i}")
             yield from _signed(ledger, feature, everybody)
         elif feature is Feature.PARKED_CARS:
@@ -144,23 +144,23 @@ def _taken(everybody: Sequence[Actor]) -> set[Side]:
     return {actor.one.starts.side or Side.RIGHT for actor in everybody if actor.one.starts.where in BESIDE}
 
 
-_TOLD = {
-    Feature.SCHOOL: "a sign stands beside the road",
-    Feature.ROADWORKS: "a sign and cones stand beside the road",
-    Feature.CLOSED_LANE: "a sign and cones close the ego's lane",
-}
-"""What stands there of something that has no place of its own on a map."""
+_SIGNED = (Feature.SCHOOL, Feature.ROADWORKS, Feature.CLOSED_LANE)
+"""What has no place of its own on a map, and a sign before who is met."""
 
 
 def _signed(ledger: Ledger, feature: Feature, everybody: Sequence[Actor]) -> Iterator[str]:
-    """The sign of a school or of roadworks before who is met, and the cones of roadworks."""
-    met, where = everybody[0], f"{feature}: {_TOLD[feature]}"
-    yield from _things(f"{feature}-sign", "WarningSign", met, (-SIGN_BEFORE,), SIGN_ASIDE, Side.RIGHT)
-    cones = any(actor.one.kind is UserKind.CONE for actor in everybody)
-    named = Feature.CLOSED_LANE if Feature.CLOSED_LANE in ledger.situation.road.has else Feature.ROADWORKS
-    if feature is named and not cones:
-        yield from cones_of(ledger.situation, everybody, _level_of(met))
-    ledger.assume(where)
+    """The sign of a school or of roadworks before who is met, beside those of others, and the cones of roadworks."""
+    situation, met = ledger.situation, everybody[0]
+    before = [one for one in situation.road.has if one in _SIGNED].index(feature)
+    aside = SIGN_ASIDE + before * SIGNS_APART
+    yield from _things(f"{feature}-sign", "WarningSign", met, (-SIGN_BEFORE,), aside, Side.RIGHT)
+    there = "a sign stands beside the road"
+    closes = Feature.CLOSED_LANE if Feature.CLOSED_LANE in situation.road.has else Feature.ROADWORKS
+    if feature is closes and all(actor.one.kind is not UserKind.CONE for actor in everybody):
+        yield from cones_of(situation, everybody, _level_of(met))
+        in_lane = feature is Feature.CLOSED_LANE or stands_in_closed_lane(situation)
+        there += ", and cones " + ("close the ego's lane" if in_lane else "stand at the edge of the road")
+    ledger.assume(f"{feature}: {there}")
 
 
 def _level_of(met: Actor) -> str:

@@ -113,7 +113,7 @@ def stand_before_ego(made: Restated) -> None:
         when = one.does[n].when
         made.taken += [f"others.{one.id}.does.{n}.when"] if when is not None else []
         made.taken += [f"{EGO}.does.{k}.when", f"{EGO}.does.{k}.whom"]
-        made.assumed.append(f"{one.id} backs once the ego stands behind it")
+        made.assumed.append(f"{one.id} backs up when the ego has stopped behind it")
         does = (*one.does[:n], replace(one.does[n], when=When(after=f"{EGO}.{Act.STOP}")), *one.does[n + 1 :])
         changed = replace(one, does=does)
         others = tuple(changed if other is one else other for other in made.situation.others)

@@ -10,6 +10,7 @@ from enum import Enum
 from typing import TYPE_CHECKING
 
 from chatscene.build.contact import strikes_from_behind
+from chatscene.situations.check import TURNS
 from chatscene.terms.backing import backs
 from chatscene.terms.situation import Deed, Other, Situation
 from chatscene.terms.vocabulary import (
@@ -38,7 +39,6 @@ CLOSEST, FARTHEST = 1.5, 1.3  # [m] at least, and [s] at most at the ego's speed
 SLOWER = 0.75  # of the ego's speed: who is faster comes up to it, and does not follow it
 SLOWED = 4.0  # [m/s]: who is slower never comes up to an ego that only slows down
 _AT_PEDALS = acts_of(Tempo.STANDS, Tempo.SETS_OFF, Tempo.HALTS, Tempo.BRAKES, Tempo.SLOWS, Tempo.WAITS, Heads.ALONG)
-_TURNS = frozenset((EgoRoute.LEFT_TURN, EgoRoute.RIGHT_TURN))
 _BEHIND = frozenset((Where.BEHIND, Where.BEHIND_BESIDE))
 _ELSEWHERE = CHANGES | {EgoRoute.BYPASS, EgoRoute.OVERTAKE, EgoRoute.LEAVE_DRIVEWAY, EgoRoute.LEAVE_PARKING}
 
@@ -52,7 +52,7 @@ class Does(Enum):
     SLOWS = "slows"
 
 
-AT = {Does.STANDS: (0.25, 0.6), Does.SETS_OFF: (0.3, 0.45), Does.STOPS: (0.25, 0.6), Does.SLOWS: (0.5, 0.75)}
+SHARES = {Does.STANDS: (0.25, 0.6), Does.SETS_OFF: (0.3, 0.45), Does.STOPS: (0.25, 0.6), Does.SLOWS: (0.5, 0.75)}
 """How fast somebody then runs into it, from and to, as shares of what the ego drives at where nothing holds it."""
 
 
@@ -92,7 +92,7 @@ def gives_way(situation: Situation) -> bool:
 
 def slows_turning(situation: Situation) -> bool:
     """Whether somebody runs into an ego that slows down as it turns, and not before."""
-    return situation.ego.route in _TURNS and any(runs_into(situation, one) is Does.SLOWS for one in situation.others)
+    return situation.ego.route in TURNS and any(runs_into(situation, one) is Does.SLOWS for one in situation.others)
 
 
 def creeps_at(situation: Situation, ego_speed: float) -> tuple[float, str] | None:
@@ -105,7 +105,7 @@ def creeps_at(situation: Situation, ego_speed: float) -> tuple[float, str] | Non
     for one in situation.others:
         if runs_into(situation, one) is Does.SETS_OFF:
             said = next((deed.speed for deed in one.does if deed.speed is not None), None)
-            usual = 0.5 * sum(AT[Does.SETS_OFF]) * ego_speed
+            usual = 0.5 * sum(SHARES[Does.SETS_OFF]) * ego_speed
             speed = usual if said is None else said.beside(ego_speed).near(usual)
             return max(LEAST, SETS_OFF_AT * speed), one.id
     return None

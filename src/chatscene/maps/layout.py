@@ -67,6 +67,16 @@ class Ring:
         at = found.index(lane)
         return (*found[at:], *found[:at])
 
+    def entries(self, network: Any) -> list[Any]:
+        """Scenic's maneuvers by which it is entered."""
+        on = set(self.lanes)
+        return [
+            maneuver
+            for junction in sorted(self.junctions)
+            for maneuver in network.elements[junction].maneuvers
+            if maneuver.startLane.uid not in on and maneuver.endLane.uid in on
+        ]
+
 
 @dataclass(frozen=True, slots=True)
 class Weave:

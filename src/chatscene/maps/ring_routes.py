@@ -35,13 +35,7 @@ def ways_round(network: Any, query: RouteQuery, approach: float) -> Iterator[Way
         if not _is_asked_for(network, ring, query):
             continue
         on = set(ring.lanes)
-        entries = [
-            maneuver
-            for junction in sorted(ring.junctions)
-            for maneuver in network.elements[junction].maneuvers
-            if maneuver.startLane.uid not in on and maneuver.endLane.uid in on
-        ]
-        for entry in sorted(entries, key=lambda m: (m.startLane.uid, m.endLane.uid)):
+        for entry in sorted(ring.entries(network), key=lambda m: (m.startLane.uid, m.endLane.uid)):
             before = runs[entry.startLane.uid]
             if before.line.length < approach + 2:
                 continue

@@ -39,20 +39,12 @@ def ring_ways(network: Any, route: Route) -> tuple[CrossingPath, ...]:
     ring, into = _entered(network, route)
     if ring is None:
         return ()
-    on = set(ring.lanes)
-    entries = [
-        maneuver
-        for junction in sorted(ring.junctions)
-        for maneuver in network.elements[junction].maneuvers
-        if maneuver.startLane.uid not in on and maneuver.endLane.uid in on
-    ]
     inside = route.line.project(*centre_line(into.endLane).point_at(0.0))[0]
     own = ring.track(into.endLane.uid)
     tracks = sorted((ring.track(_level(network, track, into)) for track in ring.tracks), key=lambda one: one != own)
     laps = [_line(network, track) for track in tracks]
     found = [_goes_round(lap, route, inside) for lap in laps]
-    entries.sort(key=lambda entry: entry.endLane.uid not in own)
-    for entry in entries:
+    for entry in sorted(ring.entries(network), key=lambda entry: entry.endLane.uid not in own):
         if entry.startLane.group is into.startLane.group:
             continue
         before = lane_runs(network)[entry.startLane.uid].line

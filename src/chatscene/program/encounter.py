@@ -66,7 +66,13 @@ COMES_NEARER = LOSES | acts_of(Tempo.BACKS)
 
 GOES_BY = PLAIN | acts_of(Tempo.GAINS)
 """What somebody does who comes up beside the ego and goes by."""
-CHANGES_TO = {Side.LEFT: EgoRoute.LANE_CHANGE_LEFT, Side.RIGHT: EgoRoute.LANE_CHANGE_RIGHT}
+CHANGES_TO: dict[EgoRoute | None, Side | None] = {
+    EgoRoute.LANE_CHANGE: None,
+    EgoRoute.LANE_CHANGE_LEFT: Side.LEFT,
+    EgoRoute.LANE_CHANGE_RIGHT: Side.RIGHT,
+}
+"""To which side an ego changes lanes by its route; None to either."""
+FINE = 0.5  # [m] between the places on the ego's way at which it is seen how near that leads past somebody
 ALL_BUT, EARLY = 0.05, 0.7  # [s] before the ego at most, who is level with it; by which it is to come later than that
 
 Flags = NDArray[np.bool_]
@@ -160,7 +166,7 @@ def _never_strikes(situation: Situation, one: Other, ego: Track, track: Track) -
     contact = situation.contact
     if contact is None or not contact.happens or contact.striker is Striker.EGO:
         return None
-    if one.id != (contact.whom or situation.adversaries[0].id) or len(track.x) > len(ego.x):
+    if not _touches(situation, one) or len(track.x) > len(ego.x):
         return None
     acts, steps = {deed.act for deed in one.does}, len(track.x)
     gap = gaps(ego, track)[:steps]
@@ -187,11 +193,11 @@ def _brushes(situation: Situation, one: Other, ego: Track, tracks: Sequence[Trac
     contact = situation.contact
     if contact is None or not contact.happens or contact.striker is not Striker.EGO or contact.ego is None:
         return None
-    sides, stands = SIDES_OF[contact.ego], all(deed.act is Act.STAND for deed in one.does)
-    met = one.id == (contact.whom or situation.adversaries[0].id)
-    if not (met and stands) or not {"left", "right"} & set(sides) or one.starts.where not in BRUSHED:
+    stands = _touches(situation, one) and all(deed.act is Act.STAND for deed in one.does)
+    by_side = not {"left", "right"}.isdisjoint(SIDES_OF[contact.ego])
+    if not (stands and by_side and one.starts.where in BRUSHED):
         return None
-    along = np.arange(0.0, route.line.length, BRUSHES)
+    along = np.arange(0.0, route.line.length, FINE)
     x, y = route.line.points_at(along).T
     heading, still = route.line.headings_at(along), np.zeros_like(along)
     kept = replace(ego, x=x, y=y, heading=heading, speed=still)
@@ -236,8 +242,8 @@ def _is_by_first(situation: Situation, one: Other, meets: Meeting) -> bool:
         return False
     ego = situation.ego
     sides = [deed.to for deed in ego.does if deed.act in acts_of(Heads.OVER)]
-    sides += [side for side, route in CHANGES_TO.items() if ego.route is route]
-    return any(side is None or one.starts.side in (None, side) for side in sides[:1])
+    sides += [CHANGES_TO[ego.route]] if ego.route in CHANGES_TO else []
+    return bool(sides) and (sides[0] is None or one.starts.side in (None, sides[0]))
 
 
 def _late(meets: Meeting, ego: Track, track: Track, since: int) -> Late | None:

@@ -60,11 +60,9 @@ def gone_by(one: Other, seen: Seen, done: Mapping[str, Act], *, touched: bool = 
     by = past(seen.ego, seen.track)
     for k, deed in enumerate(one.does):
         once = done.get(f"{one.id}.{k}")
-        before = [was.act for was in one.does[:k] if deed.when is None]
-        goes_on = deed.act in acts_of(Tempo.SETS_OFF) and any(act in ENDS for act in before)
-        goes_on = goes_on or any(
-            act in acts_of(Tempo.WAITS) for act in before
-        )  # which it does once it has let the ego by
+        before = {was.act for was in one.does[:k] if deed.when is None}
+        goes_on = deed.act in acts_of(Tempo.SETS_OFF) and not before.isdisjoint(ENDS)
+        goes_on = goes_on or not before.isdisjoint(acts_of(Tempo.WAITS))  # which it does once it has let the ego by
         if once is None or goes_on or not _is_for_ego(one, deed):
             continue
         step = _tells(deed, once, seen)
@@ -100,9 +98,9 @@ def has_passed(
             if reference is None or who == one.id or situation.deed(reference).act not in ANSWERED:
                 continue
             track = seen.ego if who == EGO else others[who].track if who in others else None
-            by = None if track is None else past(seen.track, track)
-            if track is None or by is None:
+            if track is None:
                 continue
+            by = past(seen.track, track)
             if by[0] < -(seen.track.length + track.length) and by[once.began] > 0.0:  # all of it was before it
                 since = once.began - int(np.argmax(by[once.began :: -1] <= 0.0))
                 late = Late(seconds=(once.began - since) * seen.dt, metres=float(by[once.began]))

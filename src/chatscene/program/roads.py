@@ -55,10 +55,9 @@ def of_road(situation: Situation, episode: Episode, route: Route, until: int | N
             path="road.kind", shown=right, told=f"said {road.kind}, the route lies {ROADS[RoadKind(route.place)]}"
         )
     yield from _ego_light(road, episode, until)
-    yield from (not_judged("ego.exit") for _ in (situation.ego.exit,) if _ is not None)  # by which its route was found
-    for name in ("arms", "side_road", "diameter", "setting", "lanes", "ego_lane", "two_way", "speed_limit"):
-        if getattr(road, name) is not None:
-            yield not_judged(f"road.{name}")
+    names = ("arms", "side_road", "diameter", "setting", "lanes", "ego_lane", "two_way", "speed_limit")
+    sought = {"ego.exit": situation.ego.exit, **{f"road.{name}": getattr(road, name) for name in names}}
+    yield from (not_judged(path) for path, fact in sought.items() if fact is not None)  # by which its route was found
     yield from (not_judged(f"road.has.{i}") for i in range(len(road.has)))
     for name in ("light", "weather", "surface"):
         said, there = getattr(situation.around, name), getattr(episode.surroundings, name)

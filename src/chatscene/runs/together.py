@@ -41,7 +41,7 @@ def _difference(one: dict[str, object], other: dict[str, object]) -> str:
     named = " ".join(f"--{name} {other[name]}" for name in differ if name in _OPTIONS)
     todo = [f"name one for all, as with {named}"] if named else []
     if any(name not in _OPTIONS for name in differ):
-        todo.append("run one of them again as the other was, or take each by itself")
+        todo.append("repeat one run with the other's settings, or take each by itself")
     return f"differ in {told}; {'; and '.join(todo)}"
 
 

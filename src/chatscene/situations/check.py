@@ -14,7 +14,7 @@ from chatscene.terms.act_amounts import AMOUNTS, amounts_of
 from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.amount import Amount
 from chatscene.terms.pointing import meant
-from chatscene.terms.situation import EGO, LATERALS, Deed, Lateral, Other, Situation
+from chatscene.terms.situation import EGO, LATERALS, Deed, Lateral, Other, Road, Situation
 from chatscene.terms.vocabulary import (
     ARMS_OF,
     ENDS_THERE,
@@ -279,11 +279,16 @@ def _of_road(situation: Situation) -> Iterator[Fault]:
 FEWEST_ARMS, MOST_ARMS = 3, 5
 
 
+def arms_said(road: Road) -> int | None:
+    """How many arms were said, by their number or by the kind of the junction."""
+    return road.arms if road.kind is None else ARMS_OF.get(road.kind, road.arms)
+
+
 def _of_arms(situation: Situation) -> Iterator[Fault]:
     """What is wrong in what was said of the arms of a junction or a roundabout, and of the exit from that."""
     road, ego = situation.road, situation.ego
     round_about = road.kind in ROUNDABOUTS or (road.kind is None and ego.route is EgoRoute.ROUNDABOUT)
-    arms = ARMS_OF.get(road.kind, road.arms) if road.kind is not None else road.arms
+    arms = arms_said(road)
     if road.arms is not None and not FEWEST_ARMS <= road.arms <= MOST_ARMS:
         yield Fault(("road", "arms"), f"{road.arms} arms cannot be built; {FEWEST_ARMS} to {MOST_ARMS} can")
     elif road.arms is not None and road.arms != arms and road.kind is not None:
@@ -291,7 +296,7 @@ def _of_arms(situation: Situation) -> Iterator[Fault]:
     if road.arms is not None and road.kind is not None and road.kind not in JUNCTIONS:
         yield Fault(("road", "arms"), f"there are no arms where the road is {road_named(road.kind)}")
     if road.kind is not None and road.kind in ENDS_THERE and ego.route is EgoRoute.STRAIGHT:
-        yield Fault(("ego", "route"), f"nobody goes straight on {road_named(road.kind)}")
+        yield Fault(("ego", "route"), f"there is no way straight on where the road is {road_named(road.kind)}")
     if road.side_road is not None and road.kind not in (None, RoadKind.JUNCTION, RoadKind.THREE_WAY):
         yield Fault(("road", "side_road"), f"it is the third arm of a junction; say {RoadKind.THREE_WAY}")
     elsewhere = "only a roundabout has one; say road.kind: roundabout"
